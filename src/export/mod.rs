@@ -1,0 +1,1 @@
+//! What a preset says to each renderer, and what is lost on the way.

@@ -1,0 +1,1 @@
+//! Parameters of each model for a measured metal, and conversions between parameterisations.

@@ -1,0 +1,98 @@
+//! Gulbrandsen's (r, g): edge tint as a user interface over n and k.
+
+use super::CosTheta;
+use super::conductor::{conductor, normal_reflectance};
+
+/// Complex index n + i k of one channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nk {
+    /// Refractive index.
+    pub n: f64,
+    /// Extinction coefficient.
+    pub k: f64,
+}
+
+/// n and k of a reflectance r and edge tint g (Gulbrandsen 2014, eqs. 6 and 8, in a form that does not cancel).
+///
+/// 0 ≤ r < 1 and 0 ≤ g ≤ 1; `None` outside: r = 1 is a true singularity, and g outside makes k imaginary.
+/// With s = √r, u = (1 − r)/(1 + s) and w = g/(1 + r): n = g (1 − r)/(1 + r) + (1 − g)(1 + s)/u and
+/// k = (2 s/u) √(w (2 (1 − g) + w u²)), from k² = (n_max − n)(n − 1/n_max).
+pub fn nk_from_r_g(r: f64, g: f64) -> Option<Nk> {
+    if !((0.0..1.0).contains(&r) && (0.0..=1.0).contains(&g)) {
+        return None;
+    }
+    let s = r.sqrt();
+    let u = (1.0 - r) / (1.0 + s);
+    let w = g / (1.0 + r);
+    let n = g * (1.0 - r) / (1.0 + r) + (1.0 - g) * (1.0 + s) / u;
+    let k = 2.0 * s / u * (w * (2.0 * (1.0 - g) + w * u * u)).sqrt();
+    Some(Nk { n, k })
+}
+
+/// r and g of a complex index: g = (n_max − n)/(n_max − n_min) (Gulbrandsen 2014, eqs. 5 and 7).
+///
+/// n ≥ 0, k ≥ 0. g leaves `[0, 1]` by rounding at k = 0 and is not clamped. r = 0 (n = 1, k = 0) has g = 0.
+pub fn r_g_from_nk(Nk { n, k }: Nk) -> (f64, f64) {
+    let r = normal_reflectance(n, k);
+    let s = r.sqrt();
+    let n_min = (1.0 - r) / (1.0 + r);
+    let n_max = (1.0 + s) / (1.0 - s);
+    let range = n_max - n_min;
+    (r, if range > 0.0 { (n_max - n) / range } else { 0.0 })
+}
+
+/// The conductor that (r, g) stands for; NaN where it stands for none.
+///
+/// For r = 1 every g means a perfect mirror, so F = 1.
+pub fn gulbrandsen(r: f64, g: f64, cos_theta: CosTheta) -> f64 {
+    if r == 1.0 && (0.0..=1.0).contains(&g) {
+        return 1.0;
+    }
+    nk_from_r_g(r, g).map_or(f64::NAN, |Nk { n, k }| conductor(n, k, cos_theta))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn inverts(r in 0.001..0.999, g in 0.001..0.999) {
+            let (r_back, g_back) = r_g_from_nk(nk_from_r_g(r, g).unwrap());
+            prop_assert!((r_back - r).abs() < 1e-11, "{r_back}");
+            prop_assert!((g_back - g).abs() < 1e-8, "{g_back}");
+        }
+
+        #[test]
+        fn faces_at_r(r in 0.0..0.9999, g in 0.0..=1.0) {
+            prop_assert!((gulbrandsen(r, g, CosTheta::FACING) - r).abs() < 1e-12);
+        }
+
+        #[test]
+        fn no_tint_is_a_dielectric(r in 0.0..0.999) {
+            prop_assert_eq!(nk_from_r_g(r, 0.0).unwrap().k, 0.0);
+        }
+    }
+
+    /// Gold as MaterialX ships it, with r and g as computed for `facts` by an independent program.
+    #[test]
+    fn materialx_gold() {
+        let gold = [(0.183, 3.424, 0.9442, 0.9978), (0.421, 2.346, 0.7762, 0.9812), (1.373, 1.770, 0.3733, 0.7513)];
+        for (n, k, r_want, g_want) in gold {
+            let (r, g) = r_g_from_nk(Nk { n, k });
+            assert!((r - r_want).abs() < 1e-4 && (g - g_want).abs() < 1e-4, "{r} {g}");
+        }
+    }
+
+    #[test]
+    fn says_where_it_has_no_answer() {
+        for (r, g) in [(1.0, 0.5), (1.02, 0.5), (-0.1, 0.5), (0.5, 1.1), (0.5, -0.1), (f64::NAN, 0.5), (0.5, f64::NAN)]
+        {
+            assert_eq!(nk_from_r_g(r, g), None, "{r} {g}");
+        }
+        assert!(gulbrandsen(1.02, 0.5, CosTheta::MAX).is_nan());
+        assert_eq!(gulbrandsen(1.0, 0.5, CosTheta::MAX), 1.0);
+    }
+}

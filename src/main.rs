@@ -1,0 +1,3 @@
+//! Edgewise: the window without a subcommand, the command line with one.
+
+fn main() {}

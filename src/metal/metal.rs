@@ -1,0 +1,80 @@
+//! A measured metal and its ground truth.
+
+use super::{HeldEnds, NkTable, Provenance};
+use crate::color::{Rgb, RgbSpace};
+use crate::fresnel::{CosTheta, Nk, conductor};
+use crate::spectrum::{SAMPLES, rgb_from_reflectance};
+
+/// A metal known by its spectral n and k: the ground truth every model is compared to.
+#[derive(Clone, Debug)]
+pub struct Metal {
+    /// Stable identifier, e.g. `Au_Olmon-ts`.
+    pub id: String,
+    /// The name people read, e.g. `Gold`.
+    pub name: String,
+    /// Chemical symbol or composition, e.g. `Au`.
+    pub symbol: String,
+    /// What kind of material it is.
+    pub category: String,
+    /// The data set's name, e.g. `Olmon-ts`.
+    pub dataset: String,
+    /// True for the data set that stands for this material where only one is shown.
+    pub is_preferred: bool,
+    /// Where the data come from.
+    pub provenance: Provenance,
+    table: NkTable,
+    nk: Box<[Nk; SAMPLES]>,
+}
+
+impl Metal {
+    /// A metal of a table alone: a person's own file, named after it.
+    pub fn from_table(id: String, name: String, table: NkTable) -> Self {
+        let nk = table.on_grid();
+        Self {
+            symbol: String::new(),
+            category: "own data".to_owned(),
+            dataset: String::new(),
+            is_preferred: true,
+            provenance: Provenance::default(),
+            id,
+            name,
+            table,
+            nk,
+        }
+    }
+
+    /// The measured rows.
+    pub fn table(&self) -> &NkTable {
+        &self.table
+    }
+
+    /// n and k at each wavelength of the grid.
+    pub fn nk(&self) -> &[Nk; SAMPLES] {
+        &self.nk
+    }
+
+    /// Where the data end inside the visible.
+    pub fn held_ends(&self) -> HeldEnds {
+        self.table.held_ends()
+    }
+
+    /// Spectral reflectance at an angle, one value for each wavelength of the grid.
+    pub fn spectral_reflectance(&self, cos_theta: CosTheta) -> impl Iterator<Item = f64> + '_ {
+        self.nk.iter().map(move |nk| conductor(nk.n, nk.k, cos_theta))
+    }
+
+    /// The ground truth (paper section 2): spectral reflectance of white light, as RGB. Nothing is clipped.
+    pub fn reflectance(&self, cos_theta: CosTheta, space: RgbSpace) -> Rgb {
+        rgb_from_reflectance(self.spectral_reflectance(cos_theta), space)
+    }
+
+    /// r: the reflectance facing the surface.
+    pub fn r(&self, space: RgbSpace) -> Rgb {
+        self.reflectance(CosTheta::FACING, space)
+    }
+
+    /// h: the reflectance at θ_max.
+    pub fn h(&self, space: RgbSpace) -> Rgb {
+        self.reflectance(CosTheta::MAX, space)
+    }
+}

@@ -1,0 +1,14 @@
+//! Measured metals: their spectral n and k, and the ground truth these give.
+
+mod csv_file;
+mod library;
+#[expect(clippy::module_inception, reason = "the type the folder is about")]
+mod metal;
+mod nk_table;
+mod provenance;
+
+pub use csv_file::{NkCsvError, metal_from_csv};
+pub use library::{UnknownMetal, metal_by_name, metals, preferred_metals};
+pub use metal::Metal;
+pub use nk_table::{HeldEnds, NkTable, NkTableError};
+pub use provenance::Provenance;

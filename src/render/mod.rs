@@ -1,0 +1,1 @@
+//! Spheres and difference pictures, on the CPU.

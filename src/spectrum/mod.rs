@@ -1,0 +1,12 @@
+//! Spectra over 380–780 nm at 1 nm: the observer, the illuminants and the way to RGB.
+
+mod grid;
+mod illuminant;
+mod observer;
+mod rgb_weights;
+mod table;
+
+pub use grid::{FIRST_NM, LAST_NM, SAMPLES, wavelengths_nm};
+pub use illuminant::Illuminant;
+pub use observer::observer;
+pub use rgb_weights::{RgbWeights, rgb_from_reflectance, rgb_weights};

@@ -1,0 +1,1 @@
+//! The paper's evidence, measured: what each model costs in accuracy and robustness.
