@@ -101,8 +101,8 @@ def worst_difference(spaces: dict[str, Space]) -> float:
     lines = (ROOT / "tests/data/ground_truth.csv").read_text("utf-8").splitlines()
     reference = defaultdict(list)
     for row in csv.DictReader(line for line in lines if not line.startswith("#")):
-        values = [float(row[field]) for field in ("theta_deg", "red", "green", "blue")]
-        reference[row["dataset"], row["space"]].append(values)
+        angle_and_rgb = [float(row[field]) for field in ("theta_deg", "red", "green", "blue")]
+        reference[row["dataset"], row["space"]].append(angle_and_rgb)
     worst = 0.0
     for (dataset, name), values in reference.items():
         theta_deg, rgb = np.split(np.array(values), [1], axis=1)

@@ -52,7 +52,7 @@ def rgbe(pixels: np.ndarray) -> np.ndarray:
     largest = pixels.max(-1)
     mantissa, exponent = np.frexp(largest)
     # A mantissa that would round up to 256 needs the next exponent.
-    exponent += mantissa > 255.5 / 256
+    exponent += mantissa >= 255.5 / 256
     mantissas = np.rint(np.ldexp(pixels, 8 - exponent[..., None]))
     encoded = np.concatenate([mantissas, exponent[..., None] + 128], -1)
     return np.where(largest[..., None] < 1e-32, 0, encoded).astype(np.uint8)

@@ -27,10 +27,32 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// `Olmon et al. 2012`, or the empty string when the header names nobody.
+    /// `Querry 1985`, `Johnson & Christy 1974` or `Olmon et al. 2012`; empty when the header names nobody.
     pub fn citation(&self) -> String {
-        let first = self.authors.split([',', ';']).next().unwrap_or_default().trim();
-        let et_al = if self.authors.contains(',') || self.authors.contains(" and ") { " et al." } else { "" };
-        format!("{first}{et_al} {}", self.year).trim().to_owned()
+        let authors: Vec<&str> = self.authors.split(" and ").flat_map(|part| part.split(", ")).collect();
+        let surname = |author: &str| author.split_whitespace().last().unwrap_or_default().to_owned();
+        let names = match authors[..] {
+            [one] => surname(one),
+            [one, two] => format!("{} & {}", surname(one), surname(two)),
+            [first, ..] => format!("{} et al.", surname(first)),
+            [] => String::new(),
+        };
+        format!("{names} {}", self.year).trim().to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cites_by_the_number_of_authors() {
+        let cite = |authors: &str| {
+            Provenance { authors: authors.into(), year: "1974".into(), ..Default::default() }.citation()
+        };
+        assert_eq!(cite("M. R. Querry"), "Querry 1974");
+        assert_eq!(cite("P. B. Johnson and R. W. Christy"), "Johnson & Christy 1974");
+        assert_eq!(cite("R. L. Olmon, B. Slovick, and T. W. Johnson"), "Olmon et al. 1974");
+        assert_eq!(Provenance::default().citation(), "");
     }
 }
