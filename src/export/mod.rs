@@ -1,1 +1,38 @@
 //! What a preset says to each renderer, and what is lost on the way.
+//!
+//! [`Target`] is the list, [`export`] writes one preset, [`export_all`] a batch, [`shown`] tells before
+//! writing what the reader will show. r and h are converted to the space of the file first; t, g, n and k
+//! are derived there. Fields called specular color, edge tint or color82 take t = h / (q + (1 − q) r),
+//! q = (6/7)⁵, never h.
+
+mod aco;
+mod ase;
+mod blender;
+mod cube;
+mod curve_csv;
+mod edge_tint;
+#[expect(clippy::module_inception, reason = "the function the folder is about")]
+mod export;
+mod exported;
+mod exr_ramp;
+mod gltf;
+mod gpl;
+mod loss;
+mod material;
+mod materialx;
+mod mitsuba;
+mod mitsuba_plugin;
+mod names;
+mod number;
+mod shader;
+mod sphere_mesh;
+mod swatch;
+mod target;
+mod tint;
+mod usd;
+
+pub use export::{Shown, export, export_all, export_as, shown};
+pub use exported::{ExportError, ExportFile, Exported, Options};
+pub use loss::{Cause, Clip, Difference, Loss, Parameter};
+pub use names::{file_stem, file_stems, identifier};
+pub use target::Target;

@@ -7,7 +7,7 @@ use super::{CosTheta, schlick};
 pub const PEAK_GAIN: f64 = 823_543.0 / 46_656.0;
 
 /// 49/6, the weight of 1 − r in eq. 4.
-const SCHLICK_GAIN: f64 = 49.0 / 6.0;
+pub const SCHLICK_GAIN: f64 = 49.0 / 6.0;
 
 /// F(θ) ≈ S(r, c) − a c (1 − c)⁶ with `a` from [`a_from_r_h`] (paper eqs. 2 and 4). Any finite r, h.
 pub fn hoffman(r: f64, h: f64, cos_theta: CosTheta) -> f64 {

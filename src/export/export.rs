@@ -1,0 +1,189 @@
+//! From presets to files: translate, measure what that loses, write.
+
+use super::edge_tint::EdgeTint;
+use super::loss::{Cause, Difference};
+use super::material::Material;
+use super::swatch::Swatch;
+use super::tint::Tint;
+use super::{ExportError, ExportFile, Exported, Loss, Options, Target, file_stem, file_stems};
+use super::{aco, ase, blender, cube, curve_csv, exr_ramp, gltf, gpl, materialx, mitsuba, mitsuba_plugin, shader, usd};
+use crate::color::RgbSpace;
+use crate::fresnel::FresnelModel;
+use crate::preset::Preset;
+
+/// What writers return; their own error types differ.
+pub(super) type Written = Result<Vec<u8>, Box<dyn std::error::Error>>;
+
+/// The largest r of MaterialX's `artistic_ior` node, on which standard_surface builds.
+const ARTISTIC_IOR_MAX_R: f64 = 0.99;
+
+/// r = 1 has no index. With this limit k stays below 300, and the curve within 1e-4.
+const INDEX_MAX_R: f64 = 0.9999;
+
+/// Writes one preset. Its file is named after it.
+pub fn export(preset: &Preset, target: Target, options: &Options) -> Result<Exported, ExportError> {
+    export_as(&file_stem(&preset.name), preset, target, options)
+}
+
+/// Writes one preset under a stem of the caller's, as [`file_stems`] gives for a batch.
+pub fn export_as(stem: &str, preset: &Preset, target: Target, options: &Options) -> Result<Exported, ExportError> {
+    let material = Material::new(preset, target, options)?;
+    let translation = Translation::of(&material, target);
+    let losses = translation.losses(&material);
+    let header = header(&material, &losses);
+    let bytes = (translation.write)(&header).map_err(ExportError::write(target))?;
+    Ok(Exported { files: vec![ExportFile { name: file_name(stem, target, material.space), bytes }], losses })
+}
+
+/// Writes many presets: a file each, with names that do not meet, or one palette of all.
+pub fn export_all(presets: &[Preset], target: Target, options: &Options) -> Result<Exported, ExportError> {
+    if presets.is_empty() {
+        return Err(ExportError::NoPreset);
+    }
+    if target.is_palette() {
+        return export_palette(presets, target, options);
+    }
+    let stems = file_stems(presets);
+    let mut all = Exported::default();
+    for (stem, preset) in stems.iter().zip(presets) {
+        let one = export_as(stem, preset, target, options)?;
+        all.files.extend(one.files);
+        all.losses.extend(one.losses);
+    }
+    Ok(all)
+}
+
+fn export_palette(presets: &[Preset], target: Target, options: &Options) -> Result<Exported, ExportError> {
+    let mut swatches = Vec::new();
+    let mut losses = Vec::new();
+    for preset in presets {
+        let material = Material::new(preset, target, options)?;
+        losses.extend(Translation::of(&material, target).losses(&material));
+        swatches.extend(Swatch::pair(&material));
+    }
+    let stem = if let [preset] = presets { file_stem(&preset.name) } else { "edgewise".to_owned() };
+    let bytes = write_palette(target, &stem, &swatches).map_err(ExportError::write(target))?;
+    let name = file_name(&stem, target, RgbSpace::LinRec709);
+    Ok(Exported { files: vec![ExportFile { name, bytes }], losses })
+}
+
+/// What a reader of the target will show for a preset, and what is lost: the preview of an export.
+pub fn shown(preset: &Preset, target: Target, options: &Options) -> Result<Shown, ExportError> {
+    let material = Material::new(preset, target, options)?;
+    let translation = Translation::of(&material, target);
+    let losses = translation.losses(&material);
+    Ok(Shown { space: material.space, wanted: material.model(), model: translation.model, losses })
+}
+
+/// See [`shown`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// The space of the file.
+    pub space: RgbSpace,
+    /// The preset's curve in that space.
+    pub wanted: FresnelModel,
+    /// The curve the reader shows.
+    pub model: FresnelModel,
+    /// Why they differ.
+    pub losses: Vec<Loss>,
+}
+
+/// Files of another working space than the default say so, so that both can lie in one folder.
+fn file_name(stem: &str, target: Target, space: RgbSpace) -> String {
+    let suffix = target.suffix();
+    if space == RgbSpace::default() { format!("{stem}.{suffix}") } else { format!("{stem}.{space}.{suffix}") }
+}
+
+/// The lines every commented format begins with.
+fn header(material: &Material<'_>, losses: &[Loss]) -> Vec<String> {
+    let (r, h) = (super::number::triple(material.r, " "), super::number::triple(material.h, " "));
+    let mut lines = vec![
+        format!("{}, written by Edgewise", material.name),
+        format!("{}: r = {r} facing, h = {h} at 81.8°", material.space),
+    ];
+    lines.extend(losses.iter().map(|loss| super::names::one_line(&loss.to_string())));
+    lines
+}
+
+type Writer<'a> = Box<dyn FnOnce(&[String]) -> Written + 'a>;
+
+/// A material in the words of one target.
+struct Translation<'a> {
+    /// The curve a reader makes of these words.
+    model: FresnelModel,
+    causes: Vec<Cause>,
+    write: Writer<'a>,
+}
+
+impl<'a> Translation<'a> {
+    fn of(material: &'a Material<'a>, target: Target) -> Self {
+        match target {
+            Target::Csv => Self::exact(material, |_| curve_csv::write(&material.model())),
+            Target::OpenPbr => Self::tint(material, |header, tint| materialx::open_pbr(header, material, tint)),
+            Target::GeneralizedSchlick => {
+                Self::tint(material, |header, tint| materialx::generalized_schlick(header, material, tint))
+            }
+            Target::Blender => Self::tint(material, |header, _| blender::write(header, material)),
+            Target::Gltf => Self::tint(material, |_, tint| gltf::write(material, tint)),
+            Target::Usd => Self::tint(material, |header, tint| usd::write(header, material, tint)),
+            Target::Glsl => Self::exact(material, |header| shader::glsl(header, material)),
+            Target::Hlsl => Self::exact(material, |header| shader::hlsl(header, material)),
+            Target::Wgsl => Self::exact(material, |header| shader::wgsl(header, material)),
+            Target::Osl => Self::exact(material, |header| shader::osl(header, material)),
+            Target::Cube => Self::exact(material, |header| cube::write(header, material)),
+            Target::Exr => Self::exact(material, |_| exr_ramp::write(material)),
+            Target::StandardSurface => Self::edge_tint(material, ARTISTIC_IOR_MAX_R, "edge tint g", |header, fit| {
+                materialx::standard_surface(header, material, fit)
+            }),
+            Target::Mitsuba => {
+                Self::edge_tint(material, INDEX_MAX_R, "n and k", |header, fit| mitsuba::write(header, material, fit))
+            }
+            Target::MitsubaPlugin => Self::exact(material, |header| mitsuba_plugin::write(header, material)),
+            Target::Gpl | Target::Ase | Target::Aco => Self::palette(material, target),
+        }
+    }
+
+    /// The file says r and h, or the curve itself.
+    fn exact(material: &Material<'_>, write: impl FnOnce(&[String]) -> Written + 'a) -> Self {
+        Self { model: material.model(), causes: Vec::new(), write: Box::new(write) }
+    }
+
+    /// The file says r and t.
+    fn tint(material: &Material<'_>, write: impl FnOnce(&[String], &Tint) -> Written + 'a) -> Self {
+        let tint = Tint::of_material(material);
+        Self { model: tint.model(), causes: tint.causes(), write: Box::new(move |header| write(header, &tint)) }
+    }
+
+    /// The file says r and g, or the n and k these stand for.
+    fn edge_tint(
+        material: &Material<'_>,
+        max_r: f64,
+        what: &'static str,
+        write: impl FnOnce(&[String], &EdgeTint) -> Written + 'a,
+    ) -> Self {
+        let fit = EdgeTint::fitted(material.r, material.h, max_r);
+        Self { model: fit.model(), causes: fit.causes(what), write: Box::new(move |header| write(header, &fit)) }
+    }
+
+    /// The file says two colours.
+    fn palette(material: &Material<'_>, target: Target) -> Self {
+        let swatches = Swatch::pair(material);
+        let (model, causes) = Swatch::reading(material, target);
+        let stem = material.name.clone();
+        Self { model, causes, write: Box::new(move |_| write_palette(target, &stem, &swatches)) }
+    }
+
+    fn losses(&self, material: &Material<'_>) -> Vec<Loss> {
+        let difference = Difference::between(&material.model(), &self.model, material.space);
+        let loss = |cause: &Cause| Loss { preset: material.name.clone(), cause: cause.clone(), difference };
+        self.causes.iter().map(loss).collect()
+    }
+}
+
+fn write_palette(target: Target, title: &str, swatches: &[Swatch]) -> Written {
+    match target {
+        Target::Ase => ase::write(swatches),
+        Target::Aco => aco::write(swatches),
+        _ => gpl::write(title, swatches),
+    }
+}

@@ -1,0 +1,58 @@
+//! A preset as a writer sees it: in the target's space, with names its format takes.
+
+use super::names::{identifier, one_line};
+use super::{ExportError, Options, Target};
+use crate::color::{Rgb, RgbSpace};
+use crate::fresnel::FresnelModel;
+use crate::preset::Preset;
+
+/// What every writer starts from. r and h have been converted; nothing has been clipped or derived.
+#[derive(Debug)]
+pub(super) struct Material<'a> {
+    /// The preset as it was given, in its own space.
+    pub preset: &'a Preset,
+    /// Its name without anything that could leave a line.
+    pub name: String,
+    /// Its name as an identifier.
+    pub identifier: String,
+    /// The space of this file.
+    pub space: RgbSpace,
+    /// Reflectance facing the surface, in `space`.
+    pub r: Rgb,
+    /// Reflectance at 81.8°, in `space`.
+    pub h: Rgb,
+    /// Perceptual roughness.
+    pub roughness: f64,
+}
+
+impl<'a> Material<'a> {
+    /// Converts a preset for a target; refuses numbers no file can carry and spaces the reader does not know.
+    pub(super) fn new(preset: &'a Preset, target: Target, options: &Options) -> Result<Self, ExportError> {
+        let space = options.space_for(target)?;
+        if !(preset.r.is_finite() && preset.h.is_finite()) {
+            return Err(ExportError::NotFinite(one_line(&preset.name)));
+        }
+        if !(0.0..=1.0).contains(&preset.roughness) {
+            return Err(ExportError::Roughness { preset: one_line(&preset.name), roughness: preset.roughness });
+        }
+        Ok(Self {
+            name: one_line(&preset.name),
+            identifier: identifier(&preset.name),
+            space,
+            r: preset.space.convert(preset.r, space),
+            h: preset.space.convert(preset.h, space),
+            roughness: preset.roughness,
+            preset,
+        })
+    }
+
+    /// The curve the preset stands for, in the space of the file.
+    pub(super) fn model(&self) -> FresnelModel {
+        FresnelModel::Hoffman { r: self.r, h: self.h }
+    }
+
+    /// Microfacet α of the usual parameterisation, the square of roughness.
+    pub(super) fn alpha(&self) -> f64 {
+        self.roughness * self.roughness
+    }
+}

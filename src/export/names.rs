@@ -1,0 +1,182 @@
+//! File names and identifiers from what people call their metals.
+
+use std::collections::HashMap;
+
+use sha2::{Digest, Sha256};
+
+use crate::preset::Preset;
+
+/// A path component may have 255 bytes; this leaves room for a hash, the space and the extension.
+const MAX_STEM_BYTES: usize = 120;
+
+/// Names that Windows gives to devices, whatever the extension.
+const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "com", "lpt"];
+
+/// A file name without extension: letters and digits of any script, `-` and `_`, in lower case.
+///
+/// A function of the name alone, so that exporting again replaces the same file.
+pub fn file_stem(name: &str) -> String {
+    let mut stem = String::new();
+    for c in name.chars().flat_map(char::to_lowercase) {
+        let c = if c.is_alphanumeric() || c == '_' { c } else { '-' };
+        if !(c == '-' && (stem.is_empty() || stem.ends_with('-'))) && stem.len() + c.len_utf8() <= MAX_STEM_BYTES {
+            stem.push(c);
+        }
+    }
+    let stem = stem.trim_end_matches('-');
+    match stem {
+        "" => "preset".to_owned(),
+        _ if is_device(stem) => format!("_{stem}"),
+        _ => stem.to_owned(),
+    }
+}
+
+fn is_device(stem: &str) -> bool {
+    DEVICES.contains(&stem.trim_end_matches(|c: char| c.is_ascii_digit())) && stem.len() <= 4
+}
+
+/// One stem for each preset, in their order, no two alike.
+///
+/// Where names meet, each of them gets a hash of its own values: the result does not depend on the order
+/// of the presets. Copies of one preset are numbered.
+pub fn file_stems(presets: &[Preset]) -> Vec<String> {
+    let stems: Vec<String> = presets.iter().map(|preset| file_stem(&preset.name)).collect();
+    let mut uses = HashMap::<&str, usize>::new();
+    stems.iter().for_each(|stem| *uses.entry(stem).or_default() += 1);
+    let mut seen = HashMap::<String, usize>::new();
+    let pairs = stems.iter().zip(presets);
+    pairs
+        .map(|(stem, preset)| {
+            if uses[stem.as_str()] == 1 {
+                return stem.clone();
+            }
+            let hashed = format!("{stem}-{}", fingerprint(preset));
+            let count = seen.entry(hashed.clone()).or_default();
+            *count += 1;
+            if *count == 1 { hashed } else { format!("{hashed}-{count}") }
+        })
+        .collect()
+}
+
+/// Eight hexadecimal digits of what a file would say.
+fn fingerprint(preset: &Preset) -> String {
+    let mut hash = Sha256::new();
+    hash.update(preset.name.as_bytes());
+    hash.update(preset.space.id().as_bytes());
+    for value in preset.r.0.into_iter().chain(preset.h.0).chain([preset.roughness]) {
+        hash.update(value.to_le_bytes());
+    }
+    hash.finalize()[..4].iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// A name every shading language and scene format takes: ASCII letters, digits and single underscores.
+pub fn identifier(name: &str) -> String {
+    let mut identifier = String::new();
+    for c in name.chars() {
+        let c = if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+        if !(c == '_' && (identifier.is_empty() || identifier.ends_with('_'))) && identifier.len() < 64 {
+            identifier.push(c);
+        }
+    }
+    let identifier = identifier.trim_end_matches('_');
+    match identifier.chars().next() {
+        None => "metal".to_owned(),
+        Some(c) if c.is_ascii_digit() => format!("metal_{identifier}"),
+        Some(_) => identifier.to_owned(),
+    }
+}
+
+/// A name for a comment of one line: no control characters or line separators, no backslash to continue it.
+pub(super) fn one_line(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\\' => '/',
+            '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}' => ' ',
+            _ if c.is_control() => ' ',
+            _ => c,
+        })
+        .collect()
+}
+
+/// [`one_line`] for readers that take ASCII only.
+pub(super) fn one_ascii_line(text: &str) -> String {
+    one_line(text).chars().map(ascii).collect()
+}
+
+fn ascii(c: char) -> &'static str {
+    const GRAPHIC: &str =
+        " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~";
+    match c {
+        '→' => "->",
+        'Δ' => "d",
+        'θ' => "theta",
+        '°' => " degrees",
+        '–' => "-",
+        '“' | '”' => "\"",
+        '⁵' => "^5",
+        _ => GRAPHIC.find(c).map_or("?", |at| &GRAPHIC[at..=at]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn stems_are_safe(name in any::<String>()) {
+            let stem = file_stem(&name);
+            prop_assert!(!stem.is_empty() && stem.len() <= MAX_STEM_BYTES + 1);
+            prop_assert!(stem.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_'), "{}", stem);
+        }
+
+        #[test]
+        fn identifiers_are_identifiers(name in any::<String>()) {
+            let id = identifier(&name);
+            prop_assert!(id.starts_with(|c: char| c.is_ascii_lowercase()));
+            prop_assert!(id.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && !id.contains("__"), "{}", id);
+        }
+
+        #[test]
+        fn comments_stay_on_their_line(name in any::<String>()) {
+            let line = one_ascii_line(&name);
+            prop_assert!(line.bytes().all(|b| (0x20..0x7f).contains(&b) && b != b'\\'), "{}", line);
+        }
+    }
+
+    #[test]
+    fn names_people_use() {
+        assert_eq!(file_stem("Gold (Olmon, 2012)"), "gold-olmon-2012");
+        assert_eq!(file_stem("../../etc/passwd"), "etc-passwd");
+        assert_eq!(file_stem("真鍮"), "真鍮");
+        assert_eq!(file_stem("..."), "preset");
+        assert_eq!(file_stem("COM1"), "_com1");
+        assert_eq!(file_stem("Concrete"), "concrete");
+        assert_eq!(identifier("18-carat Gold"), "metal_18_carat_gold");
+        assert_eq!(identifier("真鍮"), "metal");
+    }
+
+    fn named(name: &str, roughness: f64) -> Preset {
+        Preset { name: name.to_owned(), roughness, ..Preset::new_authored() }
+    }
+
+    #[test]
+    fn a_batch_has_no_two_alike_in_any_order() {
+        let mut presets = vec![named("Gold", 0.1), named("gold!", 0.2), named("Gold", 0.3), named("Tin", 0.1)];
+        let stems = file_stems(&presets);
+        assert_eq!(stems.iter().collect::<BTreeSet<_>>().len(), 4);
+        assert_eq!(stems[3], "tin");
+        presets.reverse();
+        assert_eq!(file_stems(&presets), stems.into_iter().rev().collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn copies_are_numbered() {
+        let stems = file_stems(&[named("Gold", 0.1), named("Gold", 0.1)]);
+        assert_eq!(stems[1], format!("{}-2", stems[0]));
+    }
+}

@@ -1,0 +1,123 @@
+//! The curve as a function in four shading languages, for programs that have no file for this model.
+//!
+//! No `pow`, which is NaN for a cosine slightly above 1; the cosine is clamped; every literal has a point.
+
+use super::export::Written;
+use super::material::Material;
+use super::names::one_ascii_line;
+use super::number::{number, triple};
+use crate::fresnel::{PEAK_GAIN, SCHLICK_GAIN};
+
+/// GLSL for `#version 330`, `300 es` and Vulkan `450`; the including shader has the version line.
+pub(super) fn glsl(header: &[String], material: &Material<'_>) -> Written {
+    fill(GLSL, header, material)
+}
+
+/// HLSL for shader model 2 and later.
+pub(super) fn hlsl(header: &[String], material: &Material<'_>) -> Written {
+    fill(HLSL, header, material)
+}
+
+/// WGSL. It has no preprocessor, so a module with two metals must drop the second general function.
+pub(super) fn wgsl(header: &[String], material: &Material<'_>) -> Written {
+    fill(WGSL, header, material)
+}
+
+/// OSL: the functions, and a shader around them that states the reflectance at the shading point.
+pub(super) fn osl(header: &[String], material: &Material<'_>) -> Written {
+    fill(OSL, header, material)
+}
+
+/// Puts a material into a template. `$NAME`s are replaced one by one; no value contains another's name.
+fn fill(template: &str, header: &[String], material: &Material<'_>) -> Written {
+    let comments: String = header.iter().map(|line| format!("// {}\n", one_ascii_line(line))).collect();
+    let text = template
+        .replace("$PEAK_GAIN", &number(PEAK_GAIN))
+        .replace("$SCHLICK_GAIN", &number(SCHLICK_GAIN))
+        .replace("$NAME", &material.identifier)
+        .replace("$R", &triple(material.r, ", "))
+        .replace("$H", &triple(material.h, ", "));
+    Ok(format!("{comments}{text}").into_bytes())
+}
+
+const GLSL: &str = "\
+#ifdef GL_ES
+precision highp float;
+#endif
+
+#ifndef EDGEWISE_FRESNEL
+#define EDGEWISE_FRESNEL
+// Hoffman 2023: r facing the surface, h at 81.8 degrees (cosine 1/7), white at grazing.
+vec3 edgewise_fresnel(vec3 r, vec3 h, float cosTheta) {
+    float c = clamp(cosTheta, 0.0, 1.0);
+    float x = 1.0 - c;
+    float x2 = x * x;
+    vec3 w = vec3(1.0) - r;
+    vec3 a = $PEAK_GAIN * (r - h) + $SCHLICK_GAIN * w;
+    return r + (x2 * x2 * x) * (w - (c * x) * a);
+}
+#endif
+
+vec3 fresnel_$NAME(float cosTheta) {
+    return edgewise_fresnel(vec3($R), vec3($H), cosTheta);
+}
+";
+
+const HLSL: &str = "\
+#ifndef EDGEWISE_FRESNEL
+#define EDGEWISE_FRESNEL
+// Hoffman 2023: r facing the surface, h at 81.8 degrees (cosine 1/7), white at grazing.
+float3 edgewise_fresnel(float3 r, float3 h, float cosTheta) {
+    float c = saturate(cosTheta);
+    float x = 1.0 - c;
+    float x2 = x * x;
+    float3 w = float3(1.0, 1.0, 1.0) - r;
+    float3 a = $PEAK_GAIN * (r - h) + $SCHLICK_GAIN * w;
+    return r + (x2 * x2 * x) * (w - (c * x) * a);
+}
+#endif
+
+float3 fresnel_$NAME(float cosTheta) {
+    return edgewise_fresnel(float3($R), float3($H), cosTheta);
+}
+";
+
+const WGSL: &str = "\
+// Hoffman 2023: r facing the surface, h at 81.8 degrees (cosine 1/7), white at grazing.
+// WGSL cannot guard against a second copy: keep one of this function in a module.
+fn edgewise_fresnel(r: vec3<f32>, h: vec3<f32>, cos_theta: f32) -> vec3<f32> {
+    let c = clamp(cos_theta, 0.0, 1.0);
+    let x = 1.0 - c;
+    let x2 = x * x;
+    let w = vec3<f32>(1.0) - r;
+    let a = $PEAK_GAIN * (r - h) + $SCHLICK_GAIN * w;
+    return r + (x2 * x2 * x) * (w - (c * x) * a);
+}
+
+fn fresnel_$NAME(cos_theta: f32) -> vec3<f32> {
+    return edgewise_fresnel(vec3<f32>($R), vec3<f32>($H), cos_theta);
+}
+";
+
+const OSL: &str = "\
+#ifndef EDGEWISE_FRESNEL
+#define EDGEWISE_FRESNEL
+// Hoffman 2023: r facing the surface, h at 81.8 degrees (cosine 1/7), white at grazing.
+color edgewise_fresnel(color r, color h, float cosTheta) {
+    float c = clamp(cosTheta, 0.0, 1.0);
+    float x = 1.0 - c;
+    float x2 = x * x;
+    color w = color(1.0) - r;
+    color a = $PEAK_GAIN * (r - h) + $SCHLICK_GAIN * w;
+    return r + (x2 * x2 * x) * (w - (c * x) * a);
+}
+#endif
+
+color fresnel_$NAME(float cosTheta) {
+    return edgewise_fresnel(color($R), color($H), cosTheta);
+}
+
+shader edgewise_$NAME(output color reflectance = 0.0) {
+    reflectance = fresnel_$NAME(abs(dot(I, N)));
+}
+";
