@@ -6,9 +6,11 @@ mod library;
 mod metal;
 mod nk_table;
 mod provenance;
+mod truth;
 
 pub use csv_file::{NkCsvError, metal_from_csv};
 pub use library::{UnknownMetal, metal_by_name, metals, preferred_metals};
 pub use metal::Metal;
 pub use nk_table::{HeldEnds, NkTable, NkTableError};
 pub use provenance::Provenance;
+pub use truth::{SpectralCurve, TruthCurve};

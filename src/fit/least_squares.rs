@@ -1,0 +1,152 @@
+//! Closed-form least squares of one channel's curve, for the models that are linear in their colours.
+
+use super::search::minimum_within;
+use crate::fresnel::{COS_THETA_MAX, CosTheta, PEAK_GAIN, Weights, schlick};
+
+/// r and h of the Hoffman curve nearest to samples (angle, F); `None` where the angles do not tell them apart.
+///
+/// The model is linear in r and h (see [`Weights`]): two normal equations.
+pub fn r_h_by_least_squares(samples: impl IntoIterator<Item = (CosTheta, f64)>) -> Option<(f64, f64)> {
+    let (mut rr, mut rh, mut hh, mut ry, mut hy) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for (cos_theta, f) in samples {
+        let Weights { of_r, of_h, of_white } = Weights::at(cos_theta);
+        let y = f - of_white;
+        rr += of_r * of_r;
+        rh += of_r * of_h;
+        hh += of_h * of_h;
+        ry += of_r * y;
+        hy += of_h * y;
+    }
+    let determinant = rr * hh - rh * rh;
+    (determinant > 1e-9 * rr * hh).then(|| ((ry * hh - hy * rh) / determinant, (hy * rr - ry * rh) / determinant))
+}
+
+/// r of the Schlick curve nearest to samples (angle, F); `None` where every sample grazes.
+pub fn schlick_r_by_least_squares(samples: impl IntoIterator<Item = (CosTheta, f64)>) -> Option<f64> {
+    let (mut product, mut square) = (0.0, 0.0);
+    for (cos_theta, f) in samples {
+        let of_white = schlick(0.0, cos_theta);
+        let of_r = 1.0 - of_white;
+        product += of_r * (f - of_white);
+        square += of_r * of_r;
+    }
+    (square > 0.0).then(|| product / square)
+}
+
+/// `a` of the Lazányi curve nearest to samples (angle, F) at a given r and α.
+fn a_by_least_squares(samples: &[(CosTheta, f64)], r: f64, alpha: f64) -> f64 {
+    let (mut product, mut square) = (0.0, 0.0);
+    for &(cos_theta, f) in samples {
+        let correction = correction(cos_theta, alpha);
+        product += correction * (schlick(r, cos_theta) - f);
+        square += correction * correction;
+    }
+    product / square
+}
+
+/// c (1 − c)^α, the shape of the correction.
+fn correction(cos_theta: CosTheta, alpha: f64) -> f64 {
+    let c = cos_theta.get();
+    c * (1.0 - c).powf(alpha)
+}
+
+/// Where α is looked for: the correction then peaks between 30° and 88°.
+const ALPHAS: std::ops::RangeInclusive<f64> = 0.15..=30.0;
+
+/// `a` for each channel and the shared α nearest to three curves (angle, F) with given r.
+///
+/// For each α the best `a` is closed form, so that one variable is searched (Golub & Pereyra 1973, variable projection).
+pub(super) fn a_alpha_by_least_squares(channels: &[Vec<(CosTheta, f64)>; 3], r: [f64; 3]) -> ([f64; 3], f64) {
+    let a_of = |alpha: f64| std::array::from_fn(|i| a_by_least_squares(&channels[i], r[i], alpha));
+    let misfit = |alpha: f64| {
+        let a: [f64; 3] = a_of(alpha);
+        let of_channel = |i: usize| -> f64 {
+            let residual = |&(c, f): &(CosTheta, f64)| schlick(r[i], c) - a[i] * correction(c, alpha) - f;
+            channels[i].iter().map(|sample| residual(sample).powi(2)).sum()
+        };
+        (0..3).map(of_channel).sum()
+    };
+    let alpha = minimum_within(ALPHAS, 24, misfit);
+    (a_of(alpha), alpha)
+}
+
+/// Where the exponent of generalized Schlick is looked for.
+const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=12.0;
+
+/// t for each channel and the shared exponent p nearest to three curves (angle, F), with given r0 and white at grazing.
+pub(super) fn t_exponent_by_least_squares(channels: &[Vec<(CosTheta, f64)>; 3], r0: [f64; 3]) -> ([f64; 3], f64) {
+    let base = |i: usize, p: f64, c: f64| r0[i] + (1.0 - r0[i]) * (1.0 - c).powf(p);
+    let a_of = |i: usize, p: f64| {
+        let (mut product, mut square) = (0.0, 0.0);
+        for &(cos_theta, f) in &channels[i] {
+            let correction = correction(cos_theta, 6.0);
+            product += correction * (base(i, p, cos_theta.get()) - f);
+            square += correction * correction;
+        }
+        product / square
+    };
+    let misfit = |p: f64| {
+        let of_channel = |i: usize| -> f64 {
+            let a = a_of(i, p);
+            let residual = |&(c, f): &(CosTheta, f64)| base(i, p, c.get()) - a * correction(c, 6.0) - f;
+            channels[i].iter().map(|sample| residual(sample).powi(2)).sum()
+        };
+        (0..3).map(of_channel).sum()
+    };
+    let p = minimum_within(EXPONENTS, 24, misfit);
+    (std::array::from_fn(|i| 1.0 - a_of(i, p) / (PEAK_GAIN * base(i, p, COS_THETA_MAX))), p)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::fresnel::{generalized_schlick, hoffman, lazanyi, whole_degrees};
+
+    fn curve(f: impl Fn(CosTheta) -> f64) -> Vec<(CosTheta, f64)> {
+        whole_degrees().map(|c| (c, f(c))).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn a_curve_of_the_model_gives_its_parameters_back(r in -0.1..1.1, h in -0.1..1.1) {
+            let (r_back, h_back) = r_h_by_least_squares(curve(|c| hoffman(r, h, c))).unwrap();
+            prop_assert!((r_back - r).abs() < 1e-12 && (h_back - h).abs() < 1e-12);
+            let r_back = schlick_r_by_least_squares(curve(|c| schlick(r, c))).unwrap();
+            prop_assert!((r_back - r).abs() < 1e-12);
+        }
+
+        /// At a least-squares solution the residual is orthogonal to the model's derivatives.
+        #[test]
+        fn no_nearer_curve_exists(bend in -0.3..0.3) {
+            let samples = curve(|c| hoffman(0.6, 0.5, c) + bend * (9.0 * c.get()).sin());
+            let (r, h) = r_h_by_least_squares(samples.iter().copied()).unwrap();
+            let weighted = |weight: fn(Weights) -> f64| -> f64 {
+                samples.iter().map(|&(c, f)| weight(Weights::at(c)) * (f - hoffman(r, h, c))).sum()
+            };
+            prop_assert!(weighted(|w| w.of_r).abs() < 1e-10 && weighted(|w| w.of_h).abs() < 1e-10);
+        }
+
+        #[test]
+        fn lazanyi_gives_its_parameters_back(r in 0.3..0.95_f64, a in 0.3..2.0_f64, alpha in 1.0..12.0_f64) {
+            let channels = [0.8, 1.0, 1.2].map(|scale| curve(|c| lazanyi(r, a * scale, alpha, c)));
+            let (a_back, alpha_back) = a_alpha_by_least_squares(&channels, [r; 3]);
+            prop_assert!((alpha_back - alpha).abs() < 1e-5 && (a_back[1] - a).abs() < 1e-5, "{alpha_back}");
+        }
+
+        #[test]
+        fn generalized_schlick_gives_its_parameters_back(r in 0.3..0.9_f64, t in 0.5..1.1_f64, p in 3.0..7.0_f64) {
+            let channels = [0.9, 1.0, 0.8].map(|scale| curve(|c| generalized_schlick(r * scale, t, 1.0, p, c)));
+            let (t_back, p_back) = t_exponent_by_least_squares(&channels, [0.9, 1.0, 0.8].map(|scale| r * scale));
+            prop_assert!((p_back - p).abs() < 1e-4 && (t_back[1] - t).abs() < 1e-4, "{p_back} {t_back:?}");
+        }
+    }
+
+    #[test]
+    fn one_angle_tells_nothing_of_two_parameters() {
+        assert_eq!(r_h_by_least_squares([(CosTheta::FACING, 0.5); 5]), None);
+        assert_eq!(r_h_by_least_squares([]), None);
+        assert_eq!(schlick_r_by_least_squares([(CosTheta::GRAZING, 1.0)]), None);
+    }
+}
