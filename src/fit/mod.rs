@@ -3,6 +3,7 @@
 //! [`fit`] takes a metal, a model and a [`Method`]; [`CurveError`] says how far a curve is from the truth.
 
 mod black_box;
+mod convert;
 mod curve_error;
 mod edge_tint;
 mod index;
@@ -12,6 +13,7 @@ mod metal_fit;
 mod method;
 mod search;
 
+pub use convert::{Conversion, NotAMaterial, convert};
 pub use curve_error::{CurveError, delta_e_over_degrees};
 pub use edge_tint::{Nearness, g_nearest};
 pub use index::nk_by_least_squares;

@@ -1,6 +1,7 @@
 //! Measured metals: their spectral n and k, and the ground truth these give.
 
 mod csv_file;
+mod few_wavelengths;
 mod library;
 #[expect(clippy::module_inception, reason = "the type the folder is about")]
 mod metal;
@@ -9,6 +10,7 @@ mod provenance;
 mod truth;
 
 pub use csv_file::{NkCsvError, metal_from_csv};
+pub use few_wavelengths::SpectralModel;
 pub use library::{UnknownMetal, metal_by_name, metals, preferred_metals};
 pub use metal::Metal;
 pub use nk_table::{HeldEnds, NkTable, NkTableError};
