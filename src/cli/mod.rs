@@ -1,1 +1,100 @@
 //! The command line: one file per subcommand.
+//!
+//! | file | what it is for |
+//! |---|---|
+//! | `arguments` | triples, angles and other things people type |
+//! | `output` | table, CSV and JSON, one form of each for every subcommand |
+//! | `metals` | `edgewise metals`: the library of measured data |
+//! | `presets` | `edgewise presets`: the presets that ship with the program |
+//! | `reflect` | `edgewise reflect`: reflectance over angle |
+//! | `source` | what material a subcommand is about |
+
+mod arguments;
+mod metals;
+mod output;
+mod presets;
+mod reflect;
+mod source;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use output::Output;
+
+/// Author how metals reflect: r facing the surface, h at 81.8°.
+#[derive(Debug, Parser)]
+#[command(name = "edgewise", version, args_conflicts_with_subcommands = true)]
+pub struct Arguments {
+    /// A photograph or a preset to open in the window
+    pub path: Option<PathBuf>,
+    /// What to do without a window
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// List the measured metals of the library
+    Metals(metals::Metals),
+    /// List the built-in presets, or write them as files
+    Presets(presets::Presets),
+    /// Print or plot reflectance over the angle of incidence
+    Reflect(reflect::Reflect),
+}
+
+impl Command {
+    fn run(self) -> anyhow::Result<Output> {
+        match self {
+            Self::Metals(command) => command.run(),
+            Self::Presets(command) => command.run(),
+            Self::Reflect(command) => command.run(),
+        }
+    }
+}
+
+/// Parses arguments. `Err` is the exit code when nothing is left to do: help was shown or the usage was wrong.
+pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, ExitCode> {
+    Arguments::try_parse_from(arguments).map_err(|error| {
+        if error.use_stderr() {
+            output::complain(&usage_sentence(&error));
+            return ExitCode::from(2);
+        }
+        // Help and version; a reader that went away wants none.
+        let _ = error.print();
+        ExitCode::SUCCESS
+    })
+}
+
+/// Runs a subcommand: results on standard output, warnings and errors as sentences on standard error.
+pub fn run(command: Command) -> ExitCode {
+    let result = command.run().and_then(|output| output.print());
+    match result {
+        Ok(code) => code,
+        Err(error) => fail(&error),
+    }
+}
+
+/// Says an error in one sentence; a reader that went away is none.
+pub fn fail(error: &anyhow::Error) -> ExitCode {
+    let is_broken_pipe = |cause: &(dyn std::error::Error + 'static)| {
+        cause.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
+    };
+    if error.chain().any(is_broken_pipe) {
+        return ExitCode::SUCCESS;
+    }
+    output::complain(&format!("{error:#}"));
+    ExitCode::FAILURE
+}
+
+/// The first paragraph of clap's message on one line, without its tips.
+fn usage_sentence(error: &clap::Error) -> String {
+    let message = error.render().to_string();
+    let first = message.split("\n\n").next().unwrap_or_default();
+    let words: Vec<&str> = first.split_whitespace().collect();
+    let sentence = words.join(" ");
+    sentence.strip_prefix("error: ").unwrap_or(&sentence).to_owned()
+}

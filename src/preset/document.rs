@@ -46,6 +46,11 @@ pub enum Origin {
     },
     /// Solved from a photograph.
     Matched(Box<Recipe>),
+    /// Changed by hand after it came from elsewhere: no longer measured, yet not from nothing.
+    Edited {
+        /// Where the colours came from before.
+        from: Box<Origin>,
+    },
 }
 
 impl Preset {
@@ -73,8 +78,28 @@ impl Preset {
             h: metal.h(space),
             space,
             origin: Origin::Measured { metal: metal.id.clone(), provenance: metal.provenance.clone() },
+            tags: vec![metal.category.clone()],
+            notes: metal.held_ends().sentence(),
             ..Self::new_authored()
         }
+    }
+
+    /// To be called when a person changes r or h: what was measured or matched is then edited.
+    pub fn mark_edited(&mut self) {
+        if !matches!(self.origin, Origin::Measured { .. } | Origin::Matched(_)) {
+            return;
+        }
+        self.origin = Origin::Edited { from: Box::new(std::mem::take(&mut self.origin)) };
+        if let Some(of_origin) = self.unknown_fields.get_mut("origin") {
+            *of_origin = serde_json::json!({ "kind": "edited", "from": of_origin.take() });
+        }
+    }
+
+    /// The name as a file name without extension: `Brass, 70 % copper` is `brass-70-copper`.
+    pub fn file_stem(&self) -> String {
+        let lower = self.name.to_lowercase();
+        let words: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        if words.is_empty() { "preset".to_owned() } else { words.join("-") }
     }
 
     /// The model the preset stands for, in its own space.

@@ -1,5 +1,14 @@
 //! The document: what a person authors, saves and exports.
 
 mod document;
+mod file;
+mod format;
+mod json;
+mod library;
+mod unknown;
 
 pub use document::{Origin, Preset};
+pub use file::{FileProblem, TextFileError, read_text, replace_file};
+pub use format::{FormatError, Loaded, PRESET_FORMAT};
+pub use json::pretty_json;
+pub use library::{built_in_presets, presets_from_metals};

@@ -1,0 +1,96 @@
+//! Things people type: each parser says in one sentence what it expected.
+
+use crate::color::Rgb;
+use crate::fresnel::THETA_MAX_DEG;
+
+/// More angles than this are a slip of the keyboard.
+const MOST_ANGLES: usize = 100_000;
+
+/// A finite number.
+pub fn number(text: &str) -> Result<f64, String> {
+    let value: f64 = text.trim().parse().map_err(|_| format!("“{text}” is no number"))?;
+    if value.is_finite() { Ok(value) } else { Err(format!("“{text}” is not finite")) }
+}
+
+/// `0.9,0.7,0.4`: three finite numbers, unclamped.
+pub fn triple(text: &str) -> Result<Rgb, String> {
+    let values = text.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
+    let channels = <[f64; 3]>::try_from(values);
+    channels.map(Rgb).map_err(|values| format!("expected three numbers like 0.9,0.7,0.4, found {}", values.len()))
+}
+
+/// Angles of incidence in degrees.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angles(pub Vec<f64>);
+
+/// `0:90:1` (first:last:step) or `0,45,81.8`; `max` is θ_max, 81.787°.
+pub fn angles(text: &str) -> Result<Angles, String> {
+    let angles = if text.contains(':') { stepped(text)? } else { listed(text)? };
+    match angles.iter().find(|angle| !(0.0..=90.0).contains(*angle)) {
+        Some(outside) => Err(format!("the angle {outside}° lies outside 0–90°")),
+        None => Ok(Angles(angles)),
+    }
+}
+
+fn listed(text: &str) -> Result<Vec<f64>, String> {
+    text.split(',').map(|part| if part.trim() == "max" { Ok(THETA_MAX_DEG) } else { number(part) }).collect()
+}
+
+/// The last angle is included where the steps reach it.
+fn stepped(text: &str) -> Result<Vec<f64>, String> {
+    let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>()?;
+    let [first, last, step] = parts[..] else {
+        return Err(format!("expected first:last:step like 0:90:1, found “{text}”"));
+    };
+    if step <= 0.0 || last < first {
+        return Err(format!("“{text}” does not lead from the first angle to the last: the step must be positive"));
+    }
+    // A last step that rounding leaves a billionth short still counts.
+    let steps = ((last - first) / step + 1e-9).floor();
+    if steps >= MOST_ANGLES as f64 {
+        return Err(format!("“{text}” is more than {MOST_ANGLES} angles"));
+    }
+    Ok((0..=steps as usize).map(|index| (first + index as f64 * step).min(last)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triples_are_three_finite_numbers_of_any_size() {
+        assert_eq!(triple("1.04, -0.1,2e3"), Ok(Rgb([1.04, -0.1, 2000.0])));
+        for (text, reason) in
+            [("1,2", "found 2"), ("1,2,x", "“x” is no number"), ("1,NaN,1", "not finite"), ("1;2;3", "no number")]
+        {
+            assert!(triple(text).unwrap_err().contains(reason), "{text}");
+        }
+    }
+
+    #[test]
+    fn angles_are_stepped_or_listed() {
+        assert_eq!(angles("0:90:1").unwrap().0.len(), 91);
+        assert_eq!(angles("0:90:0.1").unwrap().0.last(), Some(&90.0));
+        assert_eq!(angles("0:10:4").unwrap().0, [0.0, 4.0, 8.0]);
+        assert_eq!(angles("0, 45,max").unwrap().0, [0.0, 45.0, THETA_MAX_DEG]);
+    }
+
+    #[test]
+    fn angles_that_are_none_are_refused() {
+        let reasons = [
+            ("0:90", "first:last:step"),
+            ("0:90:0", "positive"),
+            ("90:0:1", "first angle to the last"),
+            ("0:91:1", "91°"),
+            ("-1,2", "-1°"),
+            ("", "no number"),
+            ("0:90:1e-9", "more than"),
+            ("0:90:nan", "not finite"),
+            ("45°", "no number"),
+        ];
+        for (text, reason) in reasons {
+            let said = angles(text).unwrap_err();
+            assert!(said.contains(reason), "{text}: {said}");
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Does the program itself do what its help says? Every test runs the real binary, as a person would.
+#![cfg(feature = "cli")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use edgewise::color::{Rgb, RgbSpace};
+use edgewise::fresnel::{CosTheta, THETA_MAX_DEG, hoffman, schlick, t_from_r_h};
+use edgewise::metal::{metal_by_name, metals, preferred_metals};
+use edgewise::preset::{Preset, built_in_presets};
+use serde_json::{Value, json};
+
+fn edgewise(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_edgewise")).args(arguments).stdin(Stdio::null()).output().unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// Standard output of a run that succeeds without a word on standard error.
+fn quiet(arguments: &[&str]) -> String {
+    let output = edgewise(arguments);
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()), "{arguments:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = edgewise(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// A run that must fail with one sentence and print nothing.
+fn refusal(code: i32, arguments: &[&str]) -> String {
+    let output = edgewise(arguments);
+    let sentence = stderr(&output);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {sentence}");
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "", "{arguments:?}");
+    assert!(sentence.starts_with("edgewise: ") && sentence.lines().count() == 1, "{arguments:?}: {sentence}");
+    sentence
+}
+
+fn csv_rows(text: &str) -> Vec<Vec<f64>> {
+    text.lines().skip(1).map(|line| line.split(',').map(|number| number.parse().unwrap()).collect()).collect()
+}
+
+fn rgb(row: &[f64]) -> Rgb {
+    Rgb([row[1], row[2], row[3]])
+}
+
+// --- reflect ---
+
+#[test]
+fn reflect_csv_is_the_truth_at_full_precision() {
+    let text = quiet(&["reflect", "--metal", "Gold", "--model", "spectral", "--space", "acescg", "--format", "csv"]);
+    assert_eq!(text.lines().next(), Some("theta_deg,red,green,blue"));
+    let rows = csv_rows(&text);
+    assert_eq!(rows.len(), 91);
+    for row in rows {
+        let truth = metal_by_name("Gold").unwrap().reflectance(CosTheta::from_deg(row[0]), RgbSpace::AcesCg);
+        assert_eq!(rgb(&row), truth, "every bit survives");
+    }
+}
+
+#[test]
+fn reflect_is_unclamped_and_says_so() {
+    let output = edgewise(&["reflect", "--metal", "Gold", "--space", "lin_rec709", "--angles", "0", "--format", "csv"]);
+    let row = &csv_rows(&String::from_utf8(output.stdout.clone()).unwrap())[0];
+    assert!(row[1] > 1.0, "measured gold exceeds 1 in linear sRGB: {row:?}");
+    assert!(stderr(&output).starts_with("edgewise: warning: r "), "{}", stderr(&output));
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn reflect_evaluates_each_model_of_given_colours() {
+    let curve = |model: &str| {
+        let colours = ["reflect", "--r", "0.6,0.5,0.4", "--h", "0.7,0.6,0.55", "--angles", "0,45,max,90"];
+        csv_rows(&quiet(&[&colours[..], &["--model", model, "--format", "csv"]].concat()))
+    };
+    let angle = |row: &[f64]| CosTheta::from_deg(row[0]);
+    for row in curve("hoffman").iter().chain(&curve("f82-tint")) {
+        assert!((row[1] - hoffman(0.6, 0.7, angle(row))).abs() < 1e-14);
+    }
+    for row in curve("schlick") {
+        assert_eq!(row[3], schlick(0.4, angle(&row)));
+    }
+    assert_eq!(curve("constant")[3][1..], [0.6, 0.5, 0.4]);
+    assert_eq!(curve("hoffman")[2][0], THETA_MAX_DEG);
+}
+
+#[test]
+fn reflect_json_names_the_model_and_its_parameters() {
+    let value = json(&["reflect", "--metal", "Cr", "--model", "f82-tint", "--angles", "0:90:45", "--json"]);
+    let metal = metal_by_name("Cr").unwrap();
+    let (r, h) = (metal.r(RgbSpace::LinRec709), metal.h(RgbSpace::LinRec709));
+    assert_eq!(value["model"], json!({ "kind": "f82-tint", "r": r, "t": r.zip(h, t_from_r_h) }));
+    assert_eq!((&value["space"], &value["material"]), (&json!("lin_rec709"), &json!("Chromium")));
+    let angles: Vec<f64> =
+        value["curve"].as_array().unwrap().iter().map(|row| row["theta_deg"].as_f64().unwrap()).collect();
+    assert_eq!(angles, [0.0, 45.0, 90.0]);
+}
+
+#[test]
+fn reflect_table_names_unit_and_space() {
+    let text = quiet(&["reflect", "--metal", "Cr", "--space", "acescg", "--angles", "0,90"]);
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines[0].contains("θ (°)") && lines[0].contains("red (acescg)"), "{text}");
+    assert_eq!(lines.len(), 3);
+    assert!(lines.iter().all(|line| line.chars().count() == lines[0].chars().count()), "aligned:\n{text}");
+}
+
+#[test]
+fn reflect_reads_a_persons_own_data() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.csv");
+    let rows: String = (38..=78).map(|w| format!("{},0.2,3.5\n", w * 10)).collect();
+    fs::write(&path, format!("wavelength_nm,n,k\n{rows}")).unwrap();
+    let value = json(&["reflect", "--nk", path.to_str().unwrap(), "--angles", "0", "--json"]);
+    let r = value["curve"][0]["green"].as_f64().unwrap();
+    // ((n − 1)² + k²) / ((n + 1)² + k²), the same for every wavelength.
+    assert!((r - (0.64 + 12.25) / (1.44 + 12.25)).abs() < 1e-12, "{r}");
+    assert_eq!(value["material"], json!("mine"));
+
+    fs::write(&path, "wavelength_nm,n,k\n400,1,5\n").unwrap();
+    let sentence = refusal(1, &["reflect", "--nk", path.to_str().unwrap()]);
+    assert!(sentence.contains("mine.csv") && sentence.contains("450"), "{sentence}");
+}
+
+#[test]
+fn reflect_keeps_a_presets_space_unless_another_is_wanted() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.json");
+    let preset = Preset { space: RgbSpace::AcesCg, ..Preset::new_authored() };
+    preset.save(&path).unwrap();
+    let path = path.to_str().unwrap();
+    let own = json(&["reflect", "--preset", path, "--angles", "0", "--json"]);
+    assert_eq!((&own["space"], &own["model"]["r"]), (&json!("acescg"), &json!(preset.r)));
+    let other = json(&["reflect", "--preset", path, "--space", "lin_rec2020", "--angles", "0", "--json"]);
+    assert_eq!(other["model"]["r"], json!(preset.in_space(RgbSpace::LinRec2020).r));
+}
+
+#[test]
+fn what_cannot_reflect_is_refused() {
+    let colours = ["reflect", "--r", "0.6,0.5,0.4", "--h", "0.7,0.6,0.55"];
+    let with = |more: &[&'static str]| [&colours[..], more].concat();
+    assert!(refusal(1, &["reflect", "--metal", "Unobtainium"]).contains("Unobtainium"));
+    assert!(refusal(1, &["reflect", "--nk", "no/such.csv"]).contains("no/such.csv"));
+    assert!(refusal(1, &["reflect", "--preset", env!("CARGO_MANIFEST_DIR")]).contains("no regular file"));
+    assert!(refusal(1, &with(&["--model", "spectral"])).contains("spectrum"));
+    assert!(refusal(1, &with(&["--model", "phong"])).contains("hoffman"));
+    assert!(refusal(2, &with(&["--space", "srgb"])).contains("lin_rec709"));
+    assert!(refusal(2, &with(&["--angles", "0:91:1"])).contains("91°"));
+    assert!(refusal(2, &with(&["--angles", "a"])).contains("“a” is no number"));
+    assert!(refusal(2, &["reflect", "--r", "1,2", "--h", "1,2,3"]).contains("three numbers"));
+    assert!(refusal(2, &["reflect", "--r", "NaN,0,0", "--h", "1,2,3"]).contains("not finite"));
+    assert!(refusal(2, &["reflect", "--r", "1,1,1"]).contains("--h"));
+    assert!(refusal(2, &["reflect", "--metal", "Au", "--preset", "p.json"]).contains("cannot be used with"));
+    refusal(2, &["reflect"]);
+    refusal(2, &["reflect", "--metal", "Au", "--json", "--format", "csv"]);
+}
+
+#[test]
+fn presets_of_another_version_are_refused_by_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("future.json");
+    fs::write(&path, Preset::new_authored().to_json().unwrap().replacen("\"edgewise\": 1", "\"edgewise\": 7", 1))
+        .unwrap();
+    let sentence = refusal(1, &["reflect", "--preset", path.to_str().unwrap()]);
+    assert!(sentence.contains("future.json") && sentence.contains("format 7"), "{sentence}");
+}
+
+// --- metals, presets ---
+
+#[test]
+fn metals_are_listed_in_every_format() {
+    let all = json(&["metals", "--json"]);
+    assert_eq!(all.as_array().unwrap().len(), metals().len());
+    let preferred = json(&["metals", "--preferred", "--json"]);
+    assert_eq!(preferred.as_array().unwrap().len(), preferred_metals().count());
+    let gold = json(&["metals", "Au_Olmon-ts", "--space", "acescg", "--json"]);
+    assert_eq!(gold[0]["r"], json!(metal_by_name("Gold").unwrap().r(RgbSpace::AcesCg)));
+    assert_eq!(gold[0]["provenance"]["year"], json!("2012"));
+
+    let csv = quiet(&["metals", "--format", "csv"]);
+    let header = "id,name,symbol,category,preferred,r_red,r_green,r_blue,h_red,h_green,h_blue,source,range_nm";
+    assert_eq!(csv.lines().next(), Some(header));
+    assert_eq!(csv.lines().count(), metals().len() + 1);
+    assert_eq!(quiet(&["metals"]).lines().count(), metals().len() + 1);
+
+    let none = edgewise(&["metals", "unobtainium"]);
+    assert!(stderr(&none).contains("no metal matches “unobtainium”"), "{}", stderr(&none));
+}
+
+#[test]
+fn presets_are_listed_and_written() {
+    assert_eq!(json(&["presets", "--json"]).as_array().unwrap().len(), built_in_presets().len());
+    assert_eq!(quiet(&["presets", "--format", "csv"]).lines().count(), built_in_presets().len() + 1);
+
+    let folder = tempfile::tempdir().unwrap();
+    quiet(&["presets", "--write", folder.path().to_str().unwrap()]);
+    let gold = Preset::load(&folder.path().join("gold.json")).unwrap().preset;
+    assert_eq!(&gold, built_in_presets().iter().find(|preset| preset.name == "Gold").unwrap());
+    assert!(
+        refusal(1, &["presets", "--write", folder.path().join("gold.json").to_str().unwrap()]).contains("gold.json")
+    );
+}
+
+// --- the program ---
+
+#[test]
+fn help_names_every_subcommand_and_each_has_both_format_flags() {
+    let help = quiet(&["--help"]);
+    for subcommand in ["metals", "presets", "reflect"] {
+        assert!(help.contains(&format!("\n  {subcommand} ")), "{help}");
+        let help = quiet(&[subcommand, "--help"]);
+        assert!(help.contains("--json") && help.contains("--format"), "{subcommand}");
+    }
+    assert!(quiet(&["--version"]).contains(env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn a_file_that_is_not_there_opens_no_window() {
+    assert!(refusal(1, &["no/such/photo.png"]).contains("no/such/photo.png"));
+    assert!(refusal(2, &["--no-such-flag"]).contains("--no-such-flag"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let script =
+        format!("'{}' metals --json | head -c 1 >/dev/null; exit ${{PIPESTATUS[0]}}", env!("CARGO_BIN_EXE_edgewise"));
+    let output = Command::new("bash").args(["-c", &script]).output().unwrap();
+    assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()));
+    assert!(Path::new("/dev/null").exists());
+}
