@@ -17,4 +17,4 @@ pub use lab::{Lab, lightness_from_luminance, luminance_from_lightness};
 pub use rgb::Rgb;
 pub use space::RgbSpace;
 pub use unknown_name::UnknownName;
-pub use xyz::{Chromaticity, Xyz, bradford};
+pub use xyz::{Chromaticity, Xyz, bradford, xyz_from_primaries};

@@ -33,7 +33,8 @@ struct Matrices {
 
 static MATRICES: LazyLock<[Matrices; 4]> = LazyLock::new(|| {
     RgbSpace::ALL.map(|space| {
-        let xyz_from_rgb = xyz_from_primaries(space.primaries(), space.white());
+        let xyz_from_rgb =
+            xyz_from_primaries(space.primaries(), space.white()).expect("the spaces of this crate have real primaries");
         Matrices { xyz_from_rgb, rgb_from_xyz: invert(xyz_from_rgb) }
     })
 });

@@ -55,11 +55,14 @@ pub fn bradford(from: Xyz, to: Xyz) -> Matrix3<f64> {
 }
 
 /// The xyz_from_rgb matrix of a space from its primaries and white (SMPTE RP 177-1993, section 3.3).
-pub(super) fn xyz_from_primaries(primaries: [Chromaticity; 3], white: Chromaticity) -> Matrix3<f64> {
+///
+/// `None` where the primaries span no triangle, as damaged files may say.
+pub fn xyz_from_primaries(primaries: [Chromaticity; 3], white: Chromaticity) -> Option<Matrix3<f64>> {
     let columns = primaries.map(|p| Vector3::from(p.xyz()));
     let unscaled = Matrix3::from_columns(&columns);
-    let scale = invert(unscaled) * Vector3::from(white.xyz());
-    unscaled * Matrix3::from_diagonal(&scale)
+    let scale = unscaled.try_inverse()? * Vector3::from(white.xyz());
+    let matrix = unscaled * Matrix3::from_diagonal(&scale);
+    matrix.iter().all(|v| v.is_finite()).then_some(matrix)
 }
 
 /// The inverse of a matrix that the colour constants of this module make invertible.

@@ -1,10 +1,41 @@
 //! A photograph in memory.
 
-use super::{Pixel, PixelFlags, Warning};
+use std::fmt;
+use std::ops::{ControlFlow, Range};
+use std::path::Path;
+
+use half::f16;
+use nalgebra::{Matrix3, Vector3};
+
+use super::curve::Curve;
+use super::linearizer::Linearizer;
+use super::orientation::Orientation;
+use super::read;
+use super::samples::{Sample, Samples, flags_of};
+use super::{ColourRule, PhotoError, Pixel, PixelFlags, Warning};
 use crate::color::Rgb;
 
-/// A photograph: its pixels in linear Rec.709, how they became linear, and what is wrong with them.
-#[derive(Clone, Debug)]
+/// What to do where a file leaves a choice.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct OpenOptions {
+    /// The layer of an EXR to read; the unnamed one when `None`.
+    pub layer: Option<String>,
+    /// How to read a file that says nothing about its colours.
+    pub untagged: Untagged,
+}
+
+/// How to read a file that says nothing about its colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Untagged {
+    /// As sRGB; floating-point TIFF as linear Rec.709.
+    #[default]
+    Srgb,
+    /// As linear Rec.709, for linear files of a raw converter.
+    Linear,
+}
+
+/// A photograph: its stored samples, how they become linear Rec.709, and what is wrong with them.
+#[derive(Clone)]
 pub struct Photo {
     /// File name, or the name of a built-in sample.
     pub name: String,
@@ -14,25 +45,164 @@ pub struct Photo {
     pub width: u32,
     /// Height in pixels after orientation.
     pub height: u32,
+    /// Which rule made it linear.
+    pub colour_rule: ColourRule,
+    /// Every colour layer of an EXR; empty for other formats.
+    pub layers: Vec<String>,
     /// What a person must know before measuring in it.
     pub warnings: Vec<Warning>,
-    linear: Vec<[f32; 3]>,
+    pub(super) stored: std::sync::Arc<Stored>,
+}
+
+/// The samples of a file, in its own order, with the way to linear Rec.709.
+pub(super) struct Stored {
+    pub samples: Samples,
+    /// Channels of each pixel: 1 for grey, 3 for RGB.
+    pub channels: usize,
+    /// Width and height as stored.
+    pub size: [u32; 2],
+    pub orientation: Orientation,
+    pub linearizer: Linearizer,
+    /// True when the samples are proportional to light.
+    pub is_linear: bool,
+}
+
+impl fmt::Debug for Photo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Photo")
+            .field("name", &self.name)
+            .field("size", &[self.width, self.height])
+            .field("depth", &self.stored.samples.depth())
+            .field("colour_rule", &self.colour_rule)
+            .field("warnings", &self.warnings)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Photo {
+    /// Opens a file. `progress` hears fractions of the work and may stop it.
+    pub fn open(path: &Path, progress: &mut dyn FnMut(f32) -> ControlFlow<()>) -> Result<Self, PhotoError> {
+        Self::open_with(path, &OpenOptions::default(), progress)
+    }
+
+    /// Opens a file where a choice is to be made.
+    pub fn open_with(
+        path: &Path,
+        options: &OpenOptions,
+        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+    ) -> Result<Self, PhotoError> {
+        let bytes = read::file_bytes(path).map_err(|kind| kind.of(&path.display().to_string()))?;
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        Self::from_bytes_with(&name, &bytes, options, progress)
+    }
+
+    /// Reads the bytes of a file; the extension of `name` serves only to recognise raw files.
+    pub fn from_bytes(
+        name: &str,
+        bytes: &[u8],
+        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+    ) -> Result<Self, PhotoError> {
+        Self::from_bytes_with(name, bytes, &OpenOptions::default(), progress)
+    }
+
+    /// Reads the bytes of a file where a choice is to be made.
+    pub fn from_bytes_with(
+        name: &str,
+        bytes: &[u8],
+        options: &OpenOptions,
+        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+    ) -> Result<Self, PhotoError> {
+        read::photo(name, bytes, options, progress).map_err(|kind| kind.of(name))
+    }
+
     /// A picture that is linear Rec.709 already, row by row.
     ///
     /// # Panics
     /// If `linear` does not hold `width` × `height` pixels.
     pub fn from_linear(name: &str, width: u32, height: u32, linear: Vec<[f32; 3]>) -> Self {
         assert_eq!(linear.len(), width as usize * height as usize, "one value for each pixel");
-        Self { name: name.to_owned(), sha256: String::new(), width, height, warnings: Vec::new(), linear }
+        let samples = Samples::F32(linear.into_flattened());
+        let linearizer = Linearizer::from_curves([const { Curve::Linear }; 3], Matrix3::identity(), &samples);
+        let (size, orientation) = ([width, height], Orientation::default());
+        let stored = Stored { samples, channels: 3, size, orientation, linearizer, is_linear: true };
+        Self::new(name, String::new(), ColourRule::Linear, stored)
+    }
+
+    pub(super) fn new(name: &str, sha256: String, colour_rule: ColourRule, stored: Stored) -> Self {
+        debug_assert_eq!(stored.samples.len(), stored.size[0] as usize * stored.size[1] as usize * stored.channels);
+        let [width, height] = stored.orientation.size(stored.size);
+        let (layers, warnings) = (Vec::new(), Vec::new());
+        Self { name: name.to_owned(), sha256, width, height, colour_rule, layers, warnings, stored: stored.into() }
+    }
+
+    /// True when the stored values are proportional to light, so that no tone curve stands between.
+    pub fn is_scene_linear(&self) -> bool {
+        self.colour_rule.is_scene_linear()
     }
 
     /// The pixel in a column and row, counted from the top left; `None` outside.
     pub fn pixel(&self, column: u32, row: u32) -> Option<Pixel> {
         let is_inside = column < self.width && row < self.height;
-        let index = || row as usize * self.width as usize + column as usize;
-        is_inside.then(|| Pixel { rgb: Rgb(self.linear[index()].map(f64::from)), flags: PixelFlags::default() })
+        is_inside.then(|| self.stored.pixel(self.stored.orientation.stored([column, row], self.stored.size)))
+    }
+
+    /// The pixels of a row in some columns, from left to right; columns outside are left out.
+    pub fn row(&self, row: u32, columns: Range<u32>) -> impl Iterator<Item = Pixel> + '_ {
+        let columns = if row < self.height { columns.start..columns.end.min(self.width) } else { 0..0 };
+        columns.filter_map(move |column| self.pixel(column, row))
+    }
+}
+
+impl Stored {
+    /// The pixel at a stored position.
+    fn pixel(&self, position: [u32; 2]) -> Pixel {
+        match &self.samples {
+            Samples::U8(samples) => self.pixel_of(samples, position),
+            Samples::U16(samples) => self.pixel_of(samples, position),
+            Samples::F16(samples) => self.pixel_of::<f16>(samples, position),
+            Samples::F32(samples) => self.pixel_of(samples, position),
+        }
+    }
+
+    fn pixel_of<T: Sample>(&self, samples: &[T], [x, y]: [u32; 2]) -> Pixel {
+        let start = (y as usize * self.size[0] as usize + x as usize) * self.channels;
+        let stored = triple(&samples[start..start + self.channels]);
+        let linear: Vector3<f64> = self.linearizer.pixel(stored);
+        Pixel { rgb: Rgb::from(linear), flags: flags_of(stored, T::black(self.is_linear)) }
+    }
+}
+
+/// A pixel as three channels; grey is three equal ones.
+pub(super) fn triple<T: Sample>(pixel: &[T]) -> [T; 3] {
+    if let [red, green, blue] = *pixel { [red, green, blue] } else { [pixel[0]; 3] }
+}
+
+impl PixelFlags {
+    /// The flags that either of two pixels has.
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            clipped: std::array::from_fn(|i| self.clipped[i] || other.clipped[i]),
+            black: self.black || other.black,
+            non_finite: self.non_finite || other.non_finite,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_linear_picture_gives_back_its_values() {
+        let linear = vec![[0.1, 0.2, 0.3], [-0.5, 2.0, 0.0], [f32::NAN, 1.0, 1.0], [0.0; 3]];
+        let photo = Photo::from_linear("made", 2, 2, linear);
+        assert_eq!(photo.pixel(0, 0).unwrap().rgb, Rgb([0.1f32, 0.2, 0.3].map(f64::from)));
+        assert_eq!(photo.pixel(1, 0).unwrap().rgb, Rgb([-0.5, 2.0, 0.0]));
+        assert!(photo.pixel(0, 1).unwrap().flags.non_finite);
+        assert_eq!(photo.pixel(0, 1).unwrap().rgb, Rgb::BLACK);
+        assert!(photo.pixel(1, 1).unwrap().flags.black);
+        assert_eq!(photo.pixel(2, 0), None);
+        assert_eq!(photo.row(0, 0..9).count(), 2);
+        assert!(photo.is_scene_linear());
     }
 }

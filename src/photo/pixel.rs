@@ -14,9 +14,10 @@ pub struct Pixel {
 /// Flags taken from the stored value, before colour conversion can hide them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PixelFlags {
-    /// Stored channels at or above 0.995 of their range.
+    /// Stored channels at or above 0.995 of their range; floats only at the largest number of their type.
     pub clipped: [bool; 3],
-    /// Every stored channel below 12/255 of its range.
+    /// Every stored channel below 12/255 of its range, or below the linear value of that sRGB code where the
+    /// file is linear; floats, which have no code values, at zero and below.
     pub black: bool,
     /// A stored channel is NaN or infinite; the colour is then zero.
     pub non_finite: bool,

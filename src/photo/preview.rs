@@ -1,0 +1,153 @@
+//! A small copy of a photograph for the screen, averaged over every pixel of the full data.
+
+use std::ops::Range;
+
+use half::f16;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::PixelFlags;
+use super::picture::{Photo, Stored, triple};
+use super::samples::{Sample, Samples, flags_of};
+
+/// A small copy in linear Rec.709.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preview {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// Means over the pixels that each small pixel covers, row by row, unclamped.
+    pub rgb: Vec<[f32; 3]>,
+    /// Flags that any covered pixel has.
+    pub flags: Vec<PixelFlags>,
+}
+
+/// One pixel of a preview.
+type Small = ([f32; 3], PixelFlags);
+
+impl Photo {
+    /// A copy whose longer side is at most `max_side`, and never larger than the photograph. Means are taken
+    /// over light, so what is too small to see keeps its share; NaN and infinities count as black.
+    pub fn preview(&self, max_side: u32) -> Preview {
+        let stored = &*self.stored;
+        let size = fitted(stored.size, max_side.max(1));
+        let small = match &stored.samples {
+            Samples::U8(samples) => shrink(stored, samples, size),
+            Samples::U16(samples) => shrink(stored, samples, size),
+            Samples::F16(samples) => shrink::<f16>(stored, samples, size),
+            Samples::F32(samples) => shrink(stored, samples, size),
+        };
+        let [width, height] = stored.orientation.size(size);
+        let positions = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
+        let (rgb, flags) = positions
+            .map(|position| {
+                let [x, y] = stored.orientation.stored(position, size);
+                small[y as usize * size[0] as usize + x as usize]
+            })
+            .unzip();
+        Preview { width, height, rgb, flags }
+    }
+}
+
+/// The size with the longer side at most `max_side`.
+fn fitted([width, height]: [u32; 2], max_side: u32) -> [u32; 2] {
+    let longer = width.max(height);
+    if longer <= max_side {
+        return [width, height];
+    }
+    let scaled = |side: u32| (u64::from(side) * u64::from(max_side)).div_ceil(u64::from(longer)) as u32;
+    [scaled(width), scaled(height)]
+}
+
+/// The full pixels that small pixel `index` of `count` covers, of `all`.
+fn covered(index: usize, count: u32, all: u32) -> Range<usize> {
+    let edge = |i: usize| (i as u64 * u64::from(all) / u64::from(count)) as usize;
+    edge(index)..edge(index + 1)
+}
+
+fn shrink<T: Sample>(stored: &Stored, samples: &[T], [width, height]: [u32; 2]) -> Vec<Small> {
+    let rows = (0..height as usize).into_par_iter();
+    rows.flat_map_iter(|row| small_row(stored, samples, width, covered(row, height, stored.size[1]))).collect()
+}
+
+/// A row of the preview from some rows of the file. The matrix comes last: it commutes with means.
+fn small_row<T: Sample>(stored: &Stored, samples: &[T], width: u32, rows: Range<usize>) -> Vec<Small> {
+    let (full_width, channels) = (stored.size[0] as usize, stored.channels);
+    let black = T::black(stored.is_linear);
+    let mut sums = vec![([0.0f64; 3], PixelFlags::default()); width as usize];
+    let mut linear = Vec::with_capacity(full_width);
+    for row in rows.clone() {
+        let pixels = samples[row * full_width * channels..][..full_width * channels].chunks_exact(channels).map(triple);
+        stored.linearizer.decode(pixels.clone(), &mut linear);
+        let mut pixels = pixels;
+        for (column, (sum, flags)) in sums.iter_mut().enumerate() {
+            for values in &linear[covered(column, width, stored.size[0])] {
+                (0..3).for_each(|i| sum[i] += f64::from(values[i]));
+                let stored = pixels.next().expect("as many stored pixels as linear ones");
+                *flags = flags.or(flags_of(stored, black));
+            }
+        }
+    }
+    let matrix = stored.linearizer.matrix();
+    let mean = |(column, (sum, flags)): (usize, ([f64; 3], PixelFlags))| {
+        let count = covered(column, width, stored.size[0]).len() * rows.len();
+        let rgb = matrix * Vector3::from(sum) / count as f64;
+        ([rgb.x as f32, rgb.y as f32, rgb.z as f32], flags)
+    };
+    sums.into_iter().enumerate().map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp(width: u32, height: u32) -> Photo {
+        let pixels = (0..width * height).map(|i| [i as f32, 1.0, (i % 7) as f32]).collect();
+        Photo::from_linear("ramp", width, height, pixels)
+    }
+
+    fn mean(rgb: &[[f32; 3]], weights: &[f64]) -> f64 {
+        rgb.iter().zip(weights).map(|(rgb, weight)| f64::from(rgb[0]) * weight).sum::<f64>()
+            / weights.iter().sum::<f64>()
+    }
+
+    /// The mean of the means, weighted by the pixels covered, is the mean.
+    #[test]
+    fn light_is_kept() {
+        let (width, height) = (37, 23);
+        let photo = ramp(width, height);
+        let full = f64::from(width * height - 1) / 2.0;
+        for max_side in [1, 5, 10, 36, 37, 100] {
+            let preview = photo.preview(max_side);
+            let count = |index: u32, count, all| covered(index as usize, count, all).len() as f64;
+            let weights: Vec<f64> = (0..preview.width * preview.height)
+                .map(|i| {
+                    count(i % preview.width, preview.width, width) * count(i / preview.width, preview.height, height)
+                })
+                .collect();
+            assert!((mean(&preview.rgb, &weights) - full).abs() < 1e-3, "{max_side}");
+            assert_eq!(preview.width.max(preview.height), max_side.min(37));
+        }
+    }
+
+    #[test]
+    fn full_size_is_the_photograph() {
+        let photo = ramp(5, 3);
+        let preview = photo.preview(5);
+        for (i, rgb) in preview.rgb.iter().enumerate() {
+            let pixel = photo.pixel(i as u32 % 5, i as u32 / 5).unwrap();
+            assert_eq!(rgb.map(f64::from), pixel.rgb.0);
+            assert_eq!(preview.flags[i], pixel.flags);
+        }
+    }
+
+    #[test]
+    fn one_bad_pixel_marks_its_small_pixel() {
+        let mut pixels = vec![[0.5f32; 3]; 64];
+        pixels[9] = [f32::NAN, 0.5, 0.5];
+        let preview = Photo::from_linear("nan", 8, 8, pixels).preview(2);
+        assert_eq!(preview.flags.iter().map(|f| f.non_finite).collect::<Vec<_>>(), [true, false, false, false]);
+        assert!(preview.rgb.iter().flatten().all(|v| v.is_finite()));
+    }
+}

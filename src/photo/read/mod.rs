@@ -1,0 +1,125 @@
+//! From the bytes of a file to stored samples and the way to linear Rec.709.
+//!
+//! A reader of a format decodes at full depth and says which colours the file speaks of; what they mean is
+//! decided here, once, for every format.
+
+mod alpha;
+mod cicp;
+mod colour;
+mod exif;
+mod exr;
+mod icc;
+mod jpeg;
+mod limits;
+mod png;
+mod sniff;
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use self::colour::Colour;
+use self::sniff::Format;
+use super::census::Census;
+use super::orientation::Orientation;
+use super::picture::{OpenOptions, Photo, Stored};
+use super::samples::Samples;
+use super::{PhotoErrorKind, Warning, WarningCode};
+
+/// Hears the fraction that is done, and may stop the work.
+type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
+
+/// What a reader of a format hands over.
+struct Decoded {
+    samples: Samples,
+    /// 1 for grey, 3 for RGB; alpha is gone.
+    channels: usize,
+    size: [u32; 2],
+    orientation: Orientation,
+    colour: Colour,
+    layers: Vec<String>,
+    warnings: Vec<Warning>,
+}
+
+/// The bytes of a regular file within the limit. A pipe or a device would block for ever, so it is refused.
+pub(super) fn file_bytes(path: &Path) -> Result<Vec<u8>, PhotoErrorKind> {
+    let metadata = fs::metadata(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => PhotoErrorKind::Missing,
+        _ => PhotoErrorKind::Io(error),
+    })?;
+    match metadata.file_type() {
+        kind if kind.is_dir() => return Err(PhotoErrorKind::NotAFile("a folder")),
+        kind if !kind.is_file() => return Err(PhotoErrorKind::NotAFile("a pipe or a device")),
+        _ => limits::check_file(metadata.len())?,
+    }
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(metadata.len() as usize).map_err(|_| limits::out_of_memory(metadata.len()))?;
+    File::open(path)?.take(limits::FILE_BYTES).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Reads a photograph; the hash is taken at the same time.
+pub(super) fn photo(
+    name: &str,
+    bytes: &[u8],
+    options: &OpenOptions,
+    progress: Progress<'_>,
+) -> Result<Photo, PhotoErrorKind> {
+    if bytes.is_empty() {
+        return Err(PhotoErrorKind::Empty);
+    }
+    limits::check_file(bytes.len() as u64)?;
+    std::thread::scope(|scope| {
+        let sha256 = scope.spawn(|| sha256(bytes));
+        let format = sniff::format(name, bytes)?;
+        let decoded = decode(format, bytes, options, progress)?;
+        Ok(finish(name, sha256.join().expect("hashing does not panic"), decoded, options))
+    })
+}
+
+/// Decodes; a decoder that panics on a damaged file must not take the program with it.
+fn decode(
+    format: Format,
+    bytes: &[u8],
+    options: &OpenOptions,
+    progress: Progress<'_>,
+) -> Result<Decoded, PhotoErrorKind> {
+    let decode = || match format {
+        Format::Png => png::decode(bytes, progress),
+        Format::Jpeg => jpeg::decode(bytes, progress),
+        Format::Exr => exr::decode(bytes, options.layer.as_deref(), progress),
+    };
+    catch_unwind(AssertUnwindSafe(decode))
+        .unwrap_or_else(|_| Err(PhotoErrorKind::damaged(format.label())(&"its decoder gave up")))
+}
+
+fn finish(name: &str, sha256: String, decoded: Decoded, options: &OpenOptions) -> Photo {
+    let Decoded { samples, channels, size, orientation, colour, layers, mut warnings } = decoded;
+    let (linearizer, rule) = colour.resolve(&samples, channels, options.untagged, &mut warnings);
+    let is_linear = rule.is_scene_linear();
+    let stored = Stored { samples, channels, size, orientation, linearizer, is_linear };
+    warnings.extend(Census::of(&stored).warnings());
+    let photo = Photo::new(name, sha256, rule, stored);
+    Photo { layers, warnings, ..photo }
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Tells how far the work is, and fails if it is to stop.
+fn report(progress: Progress<'_>, done: usize, all: usize) -> Result<(), PhotoErrorKind> {
+    match progress(done as f32 / all.max(1) as f32) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(PhotoErrorKind::Cancelled),
+    }
+}
+
+/// The warning that one picture of several was read.
+fn first_of(count: usize, what: &str) -> Warning {
+    Warning::new(WarningCode::Animated, format!("The file holds {count} {what}; the first one was read"))
+}

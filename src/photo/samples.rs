@@ -1,0 +1,180 @@
+//! The stored samples of a photograph, as the file has them.
+
+use half::f16;
+
+use super::PixelFlags;
+
+/// Interleaved samples at the depth of the file.
+pub(super) enum Samples {
+    /// 0–255.
+    U8(Vec<u8>),
+    /// 0–65535.
+    U16(Vec<u16>),
+    /// Half floats.
+    F16(Vec<f16>),
+    /// Floats.
+    F32(Vec<f32>),
+}
+
+impl Samples {
+    /// Number of samples, over all channels.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::U8(samples) => samples.len(),
+            Self::U16(samples) => samples.len(),
+            Self::F16(samples) => samples.len(),
+            Self::F32(samples) => samples.len(),
+        }
+    }
+
+    /// The depth in words.
+    pub const fn depth(&self) -> &'static str {
+        match self {
+            Self::U8(_) => "8-bit",
+            Self::U16(_) => "16-bit",
+            Self::F16(_) => "16-bit float",
+            Self::F32(_) => "32-bit float",
+        }
+    }
+}
+
+/// What a stored number type says about itself.
+pub(super) trait Sample: Copy + PartialOrd + Send + Sync {
+    /// The smallest value that counts as clipped: 0.995 of the range, or the largest number of a float.
+    const CLIPPED: Self;
+
+    /// The value as a fraction of its range; a float as it is.
+    fn fraction(self) -> f64;
+
+    /// Below this a channel is black: 12/255 where values are display-encoded, the linear value of that sRGB
+    /// code where they are linear, and zero for floats, which have no code values.
+    fn black(is_linear: bool) -> Self;
+
+    /// The linear value by a table of every code, or by `curve` where there is no table.
+    fn decode(self, table: &[f32], curve: impl Fn(f64) -> f64) -> f32;
+
+    /// False for NaN and infinities.
+    fn is_finite(self) -> bool {
+        true
+    }
+
+    /// True below zero.
+    fn is_negative(self) -> bool {
+        false
+    }
+}
+
+/// The linear value of the sRGB code 12.
+const LINEAR_BLACK: f64 = 0.003_677;
+
+impl Sample for u8 {
+    const CLIPPED: Self = 254;
+
+    fn fraction(self) -> f64 {
+        f64::from(self) / 255.0
+    }
+
+    fn black(is_linear: bool) -> Self {
+        if is_linear { 1 } else { 12 }
+    }
+
+    fn decode(self, table: &[f32], _: impl Fn(f64) -> f64) -> f32 {
+        table[usize::from(self)]
+    }
+}
+
+impl Sample for u16 {
+    const CLIPPED: Self = 65_208;
+
+    fn fraction(self) -> f64 {
+        f64::from(self) / 65_535.0
+    }
+
+    fn black(is_linear: bool) -> Self {
+        let fraction = if is_linear { LINEAR_BLACK } else { 12.0 / 255.0 };
+        (fraction * 65_535.0).ceil() as Self
+    }
+
+    fn decode(self, table: &[f32], _: impl Fn(f64) -> f64) -> f32 {
+        table[usize::from(self)]
+    }
+}
+
+impl Sample for f16 {
+    const CLIPPED: Self = f16::MAX;
+
+    fn fraction(self) -> f64 {
+        self.to_f64()
+    }
+
+    fn black(_: bool) -> Self {
+        f16::MIN_POSITIVE_SUBNORMAL
+    }
+
+    fn decode(self, _: &[f32], curve: impl Fn(f64) -> f64) -> f32 {
+        curve(self.to_f64()) as f32
+    }
+
+    fn is_finite(self) -> bool {
+        f16::is_finite(self)
+    }
+
+    fn is_negative(self) -> bool {
+        self < f16::ZERO
+    }
+}
+
+impl Sample for f32 {
+    const CLIPPED: Self = f32::MAX;
+
+    fn fraction(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn black(_: bool) -> Self {
+        f32::from_bits(1)
+    }
+
+    fn decode(self, _: &[f32], curve: impl Fn(f64) -> f64) -> f32 {
+        curve(f64::from(self)) as f32
+    }
+
+    fn is_finite(self) -> bool {
+        f32::is_finite(self)
+    }
+
+    fn is_negative(self) -> bool {
+        self < 0.0
+    }
+}
+
+/// The flags of one pixel.
+pub(super) fn flags_of<T: Sample>(pixel: [T; 3], black: T) -> PixelFlags {
+    PixelFlags {
+        clipped: pixel.map(|v| v >= T::CLIPPED),
+        black: pixel.iter().all(|v| *v < black),
+        non_finite: !pixel.iter().all(|v| v.is_finite()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The flags are defined as 0.995 and 12/255 of the range.
+    #[test]
+    fn thresholds_are_the_first_codes_beyond() {
+        assert!(u8::CLIPPED.fraction() >= 0.995 && (u8::CLIPPED - 1).fraction() < 0.995);
+        assert!(u16::CLIPPED.fraction() >= 0.995 && (u16::CLIPPED - 1).fraction() < 0.995);
+        assert!((u16::black(false) - 1).fraction() < 12.0 / 255.0 && u16::black(false).fraction() >= 12.0 / 255.0);
+        assert!((crate::color::srgb_decode(12.0 / 255.0) - LINEAR_BLACK).abs() < 1e-6);
+    }
+
+    #[test]
+    fn floats_are_black_at_zero_and_below() {
+        assert!(flags_of([0.0, -1.0, 0.0], f32::black(true)).black);
+        assert!(!flags_of([0.0, 1e-30, 0.0], f32::black(true)).black);
+        assert!(flags_of([f32::NAN, 1.0, 1.0], f32::black(true)).non_finite);
+        assert!(flags_of([f16::ZERO; 3], f16::black(true)).black);
+    }
+}
