@@ -1,9 +1,11 @@
 //! Does every exported file say, by its reader's formula, the curve of the preset?
 
+use std::collections::BTreeSet;
+
 use edgewise::color::{Rgb, RgbSpace};
-use edgewise::export::{Exported, Options, Target, export, export_all, shown};
+use edgewise::export::{Difference, Exported, Options, Target, export, export_all, shown};
 use edgewise::fresnel::{CosTheta, FresnelModel, f82_tint, whole_degrees};
-use edgewise::preset::Preset;
+use edgewise::preset::{Preset, built_in_presets};
 
 fn preset(name: &str, r: [f64; 3], h: [f64; 3]) -> Preset {
     Preset { name: name.to_owned(), r: Rgb(r), h: Rgb(h), ..Preset::new_authored() }
@@ -194,6 +196,31 @@ fn curve_reads_back_exactly() {
         assert_eq!(rows.len(), 91);
         for (deg, red, green, blue) in rows {
             assert_eq!(preset.model().reflectance(CosTheta::from_deg(deg)), Rgb([red, green, blue]));
+        }
+    }
+}
+
+#[test]
+fn a_preset_reads_back_as_it_was() {
+    for preset in built_in_presets() {
+        let exported = export(preset, Target::Json, &Options::default()).unwrap();
+        assert_eq!(Preset::from_json(text(&exported)).unwrap().preset, *preset);
+        let in_aces = export_in(preset, Target::Json, RgbSpace::AcesCg);
+        assert_eq!(Preset::from_json(text(&in_aces)).unwrap().preset.space, RgbSpace::AcesCg);
+    }
+}
+
+#[test]
+fn every_built_in_preset_goes_through_every_target() {
+    let presets = built_in_presets();
+    for target in Target::ALL {
+        let exported = export_all(presets, target, &Options::default()).unwrap();
+        let files = if target.is_palette() { 1 } else { presets.len() };
+        let names: BTreeSet<_> = exported.files.iter().map(|file| &file.name).collect();
+        assert_eq!((exported.files.len(), names.len()), (files, files), "{target}");
+        for loss in &exported.losses {
+            let Difference { max_delta_f, max_delta_e } = loss.difference;
+            assert!(max_delta_f.is_finite() && max_delta_e.is_finite(), "{loss}");
         }
     }
 }

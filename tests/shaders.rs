@@ -74,10 +74,8 @@ impl Call<'_> {
             match statement {
                 Statement::Emit(range) => {
                     for handle in range.clone() {
-                        if !matches!(self.function.expressions[handle], Expression::Access { .. }) {
-                            let value = self.evaluate(&self.function.expressions[handle]);
-                            self.values.insert(handle, value);
-                        }
+                        let value = self.evaluate(&self.function.expressions[handle]);
+                        self.values.insert(handle, value);
                     }
                 }
                 Statement::Block(block) => {

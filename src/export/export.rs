@@ -118,6 +118,7 @@ struct Translation<'a> {
 impl<'a> Translation<'a> {
     fn of(material: &'a Material<'a>, target: Target) -> Self {
         match target {
+            Target::Json => Self::exact(material, |_| Ok(material.in_its_space().to_json()?.into_bytes())),
             Target::Csv => Self::exact(material, |_| curve_csv::write(&material.model())),
             Target::OpenPbr => Self::tint(material, |header, tint| materialx::open_pbr(header, material, tint)),
             Target::GeneralizedSchlick => {

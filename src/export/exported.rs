@@ -26,15 +26,16 @@ pub struct Exported {
 /// How to export.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// The working space of the reader; `None` is linear Rec.709.
+    /// The working space of the reader; `None` is linear Rec.709, or for the preset's own file its own.
     pub space: Option<RgbSpace>,
 }
 
 impl Options {
-    /// The space the numbers of a target are written in.
-    pub(super) fn space_for(&self, target: Target) -> Result<RgbSpace, ExportError> {
+    /// The space the numbers of a target are written in; `own` is the preset's.
+    pub(super) fn space_for(&self, target: Target, own: RgbSpace) -> Result<RgbSpace, ExportError> {
         let allowed = target.spaces();
         match self.space {
+            None if target == Target::Json => Ok(own),
             None => Ok(allowed[0]),
             Some(space) if allowed.contains(&space) => Ok(space),
             Some(space) => Err(ExportError::Space { target, space }),

@@ -28,7 +28,7 @@ pub(super) struct Material<'a> {
 impl<'a> Material<'a> {
     /// Converts a preset for a target; refuses numbers no file can carry and spaces the reader does not know.
     pub(super) fn new(preset: &'a Preset, target: Target, options: &Options) -> Result<Self, ExportError> {
-        let space = options.space_for(target)?;
+        let space = options.space_for(target, preset.space)?;
         if !(preset.r.is_finite() && preset.h.is_finite()) {
             return Err(ExportError::NotFinite(one_line(&preset.name)));
         }
@@ -44,6 +44,11 @@ impl<'a> Material<'a> {
             roughness: preset.roughness,
             preset,
         })
+    }
+
+    /// The whole preset, in the space of the file.
+    pub(super) fn in_its_space(&self) -> Preset {
+        self.preset.in_space(self.space)
     }
 
     /// The curve the preset stands for, in the space of the file.

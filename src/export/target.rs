@@ -11,6 +11,7 @@ use crate::color::{RgbSpace, UnknownName};
 #[serde(rename_all = "kebab-case")]
 #[expect(missing_docs, reason = "one for each row of the table in docs/exports.md, named by `label`")]
 pub enum Target {
+    Json,
     Csv,
     OpenPbr,
     GeneralizedSchlick,
@@ -33,7 +34,8 @@ pub enum Target {
 
 impl Target {
     /// Every target, in order of worth.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
+        Self::Json,
         Self::Csv,
         Self::OpenPbr,
         Self::GeneralizedSchlick,
@@ -57,6 +59,7 @@ impl Target {
     /// The stable identifier used on the command line.
     pub const fn id(self) -> &'static str {
         match self {
+            Self::Json => "json",
             Self::Csv => "csv",
             Self::OpenPbr => "open-pbr",
             Self::GeneralizedSchlick => "generalized-schlick",
@@ -81,6 +84,7 @@ impl Target {
     /// The name people read.
     pub const fn label(self) -> &'static str {
         match self {
+            Self::Json => "Edgewise preset (JSON)",
             Self::Csv => "Curve (CSV)",
             Self::OpenPbr => "MaterialX OpenPBR surface",
             Self::GeneralizedSchlick => "MaterialX generalized Schlick",
@@ -105,6 +109,7 @@ impl Target {
     /// What follows the stem of the file name; targets that share an extension stay apart.
     pub const fn suffix(self) -> &'static str {
         match self {
+            Self::Json => "json",
             Self::Csv => "csv",
             Self::OpenPbr => "open_pbr.mtlx",
             Self::GeneralizedSchlick => "generalized_schlick.mtlx",
@@ -157,6 +162,7 @@ impl Target {
     /// What its readers do with the file that a person should know before relying on it.
     pub const fn note(self) -> &'static str {
         match self {
+            Self::Json => "Exact: r, h, their space and where they come from.",
             Self::Csv => "Exact: the reflectance at every whole degree, unclamped.",
             Self::OpenPbr => {
                 "Exact in readers of MaterialX 1.39, among them Arnold and Maya. MaterialX's own OSL \
