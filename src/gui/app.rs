@@ -63,7 +63,7 @@ impl App {
 
     /// True while a job is at work.
     pub fn is_busy(&self) -> bool {
-        self.loading.is_some() || self.saving.is_some() || self.dialog.is_some()
+        self.loading.is_some() || self.saving.is_some() || self.dialog.is_some() || self.state.spheres.is_busy()
     }
 
     fn perform(&mut self, ctx: &Context, action: Action) {
@@ -86,7 +86,6 @@ impl App {
                 self.state.view.metal = Some(metal);
             }
             Action::CompareWith(metal) => self.state.view.metal = Some(metal),
-            Action::Copy(text) => ctx.copy_text(text),
         }
     }
 

@@ -228,8 +228,6 @@ pub(crate) enum Action {
     StartFrom(&'static Metal),
     /// Compares with a metal.
     CompareWith(&'static Metal),
-    /// Copies a text.
-    Copy(String),
 }
 
 impl From<Command> for Action {

@@ -14,6 +14,7 @@ mod panels;
 mod prompt;
 mod renderer;
 mod run;
+mod spheres;
 mod state;
 mod theme;
 mod truth;

@@ -1,9 +1,11 @@
 //! Everything the window shows, and nothing of how it shows it.
 
 use super::document::Document;
+use super::spheres::Spheres;
 use super::truth::TruthCurves;
 use crate::metal::Metal;
 use crate::preset::Preset;
+use crate::render::Light;
 
 /// The state of the window.
 #[derive(Debug)]
@@ -12,6 +14,7 @@ pub struct State {
     pub document: Document,
     pub(crate) view: View,
     pub(crate) truth: TruthCurves,
+    pub(crate) spheres: Spheres,
     pub(crate) notices: Vec<Notice>,
 }
 
@@ -21,6 +24,7 @@ impl State {
             document: Document::new(preset, None),
             view: View::default(),
             truth: TruthCurves::default(),
+            spheres: Spheres::default(),
             notices: Vec::new(),
         }
     }
@@ -40,7 +44,7 @@ impl State {
 }
 
 /// How the document is looked at; no part of it.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct View {
     /// The measured metal beneath the preset.
     pub metal: Option<&'static Metal>,
@@ -50,6 +54,14 @@ pub(crate) struct View {
     pub is_grazing_only: bool,
     /// The angle under the pointer, for the read-out.
     pub cursor_deg: Option<f64>,
+    /// The light around the sphere.
+    pub light: Light,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { metal: None, has_schlick: false, is_grazing_only: false, cursor_deg: None, light: Light::PhotoStudio }
+    }
 }
 
 /// A sentence about something that happened.

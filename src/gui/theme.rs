@@ -32,6 +32,8 @@ pub(crate) const PHOTO_WIDTH: f32 = 368.0;
 pub(crate) const INSPECTOR_WIDTH: f32 = 340.0;
 /// Width of the words in front of a row of fields.
 pub(crate) const LABEL_WIDTH: f32 = 84.0;
+/// Side of a sphere preview.
+pub(crate) const SPHERE: f32 = 176.0;
 /// Side of the swatch of a colour editor.
 pub(crate) const SWATCH: f32 = 64.0;
 /// Height of each strip of swatches.

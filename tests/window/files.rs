@@ -71,9 +71,14 @@ fn unsaved_changes_are_asked_about() {
 fn closing_the_window_asks_too() {
     let mut window = Window::open(None);
     window.enter("Name", "Precious");
-    window.harness.input_mut().viewports.entry(eframe::egui::ViewportId::ROOT).or_default().events.push(
-        eframe::egui::ViewportEvent::Close,
-    );
+    window
+        .harness
+        .input_mut()
+        .viewports
+        .entry(eframe::egui::ViewportId::ROOT)
+        .or_default()
+        .events
+        .push(eframe::egui::ViewportEvent::Close);
     window.settle();
     assert!(window.shows("Save changes?"));
 }

@@ -8,6 +8,7 @@ use egui_plot::LineStyle;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{CosTheta, FresnelModel, THETA_MAX_DEG};
 use crate::gui::command::{Action, Command};
+use crate::gui::panels::spheres;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::truth::{at_angle, curve_angles_deg};
@@ -41,7 +42,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         Handle { angle_deg: THETA_MAX_DEG, name: "h, at 81.8°", value: preset.h },
     ];
     let strips = if truth.is_some() { 2.0 } else { 1.0 };
-    let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + theme::GROUP_GAP;
+    let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + spheres::HEIGHT + theme::GROUP_GAP;
     let plot = CurvePlot {
         lines: &lines,
         band: None,
@@ -58,6 +59,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     cursor_deg = cursor_deg.or(strip(ui, output.frame, "r, h", &curve, space, &range_deg));
     read_out(ui, cursor_deg, &curve, truth.as_deref(), space);
     keep_cursor(ui, state, cursor_deg, &range_deg);
+    spheres::show(ui, state);
     if let Some((index, value)) = output.dragged {
         let preset = &mut state.document.preset;
         *(if index == 0 { &mut preset.r } else { &mut preset.h }) = value;

@@ -4,4 +4,5 @@ pub(crate) mod curves;
 pub(crate) mod inspector;
 pub(crate) mod menu_bar;
 pub(crate) mod notices;
+pub(crate) mod spheres;
 pub(crate) mod status_bar;
