@@ -30,6 +30,9 @@ use output::Output;
 pub struct Arguments {
     /// A photograph or a preset to open in the window
     pub path: Option<PathBuf>,
+    /// What draws the window; auto goes by what the machine has
+    #[arg(long, default_value = "auto", value_parser = ["auto", "wgpu", "glow"])]
+    pub renderer: String,
     /// What to do without a window
     #[command(subcommand)]
     pub command: Option<Command>,
