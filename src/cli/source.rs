@@ -7,9 +7,10 @@ use clap::Args;
 
 use super::arguments;
 use crate::color::{Rgb, RgbSpace};
+use crate::file::read_text;
 use crate::fresnel::reflectance_range;
 use crate::metal::{Metal, metal_by_name, metal_from_csv};
-use crate::preset::{Preset, read_text};
+use crate::preset::Preset;
 
 /// The arguments that name a material, and the space its colours are wanted in.
 #[derive(Debug, Args)]
