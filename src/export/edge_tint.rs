@@ -43,7 +43,7 @@ impl EdgeTint {
 /// The g that minimises the largest difference from Hoffman's curve of (r, h) over the angles.
 ///
 /// The difference has one valley in g in practice; a coarse look over g = 1 − u², which is finer where a
-/// bright metal's curve moves, finds it, and golden sections (Kiefer 1953) narrow it to 1e-9.
+/// bright metal's curve moves, finds it, and golden sections (Kiefer 1953) narrow it to 1e-12, so that nine digits are the same everywhere.
 fn nearest_edge_tint(shown_r: f64, r: f64, h: f64) -> f64 {
     const STEPS: u32 = 48;
     let g_of = |u: f64| 1.0 - u * u;
@@ -53,7 +53,7 @@ fn nearest_edge_tint(shown_r: f64, r: f64, h: f64) -> f64 {
     let best = (0..=STEPS).min_by(by_error).unwrap_or_default();
     let (mut low, mut high) = (at(best.saturating_sub(1)), at((best + 1).min(STEPS)));
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
-    while high - low > 1e-9 {
+    while high - low > 1e-12 {
         let (a, b) = (high - golden * (high - low), low + golden * (high - low));
         if error(a) <= error(b) { high = b } else { low = a }
     }
