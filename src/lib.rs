@@ -6,13 +6,13 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`file`] | files, whole or not at all |
 //! | [`color`] | linear triples, RGB spaces, adaptation, Lab and CIEDE2000, encodings |
 //! | [`spectrum`] | the observer, the illuminants, the way from a spectrum to RGB |
 //! | [`fresnel`] | one file per model, and the region of reflectances |
 //! | [`metal`] | measured n and k, and the ground truth they give |
 //! | [`fit`] | parameters of each model for a measured metal; conversions |
 //! | [`photo`] | from the pixels of a photograph to r and h |
+//! | [`sample`] | rendered photographs whose r and h are known |
 //! | [`preset`] | the document, its file, the library |
 //! | [`study`] | the paper's evidence, measured |
 //! | [`scene`] | the cheapest model for the angles a scene shows |
@@ -26,7 +26,6 @@
 pub mod color;
 pub mod export;
 pub mod figure;
-pub mod file;
 pub mod fit;
 pub mod fresnel;
 pub mod kernel;
@@ -34,6 +33,7 @@ pub mod metal;
 pub mod photo;
 pub mod preset;
 pub mod render;
+pub mod sample;
 pub mod scene;
 pub mod spectrum;
 pub mod study;

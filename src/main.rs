@@ -2,32 +2,20 @@
 
 use std::process::ExitCode;
 
-use edgewise::cli::{self, Arguments};
+use edgewise::cli;
 
 fn main() -> ExitCode {
-    let mut arguments = match cli::parse(std::env::args_os()) {
+    let arguments = match cli::parse(std::env::args_os()) {
         Ok(arguments) => arguments,
         Err(code) => return code,
     };
-    match (arguments.command.take(), &arguments.path) {
+    match (arguments.command, arguments.path) {
         (Some(command), _) => cli::run(command),
         (None, Some(path)) if !path.exists() => {
             cli::fail(&anyhow::anyhow!("{}: there is no such file", path.display()))
         }
-        (None, _) => window(arguments),
+        (None, _) => {
+            cli::fail(&anyhow::anyhow!("this build has no window; `edgewise --help` lists what it does without one"))
+        }
     }
-}
-
-#[cfg(feature = "gui")]
-fn window(arguments: Arguments) -> ExitCode {
-    let renderer = arguments.renderer.parse().expect("the parser of arguments lets nothing else through");
-    match edgewise::gui::run(edgewise::gui::Options { path: arguments.path, renderer }) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => cli::fail(&error.into()),
-    }
-}
-
-#[cfg(not(feature = "gui"))]
-fn window(_: Arguments) -> ExitCode {
-    cli::fail(&anyhow::anyhow!("this build has no window; `edgewise --help` lists what it does without one"))
 }

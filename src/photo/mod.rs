@@ -19,6 +19,7 @@ mod recipe;
 mod request;
 mod rule;
 mod samples;
+mod solve;
 mod statistics;
 mod warning;
 
@@ -35,5 +36,6 @@ pub use preview::Preview;
 pub use recipe::Recipe;
 pub use request::{MatchRequest, MirrorPair, ReferenceBall};
 pub use rule::ColourRule;
+pub use solve::{CardReading, Match, MatchError, UncertaintyBudget, solve};
 pub use statistics::AreaStatistics;
 pub use warning::{Warning, WarningCode};

@@ -1,0 +1,257 @@
+//! What to beware of in a match: one sentence for each trap that is seen.
+
+use super::Measured;
+use super::cells::{Cell, median};
+use super::light::Light;
+use super::outcome::Match;
+use super::region::{Regions, SECTORS};
+use super::shape::MetalCurve;
+use crate::color::{Rgb, RgbSpace};
+use crate::fresnel::{reachable_h, reflectance_range};
+use crate::photo::{Area, AreaStatistics, LightMode, MatchRequest, Photo, Warning, WarningCode};
+
+const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
+/// Every warning of a match, in the order of the rails.
+pub(super) fn warnings(
+    photo: &Photo,
+    request: &MatchRequest,
+    regions: &Regions,
+    light: &Light,
+    measured: &Measured,
+    outcome: &Match,
+) -> Vec<Warning> {
+    let areas = areas(photo, regions, light);
+    let mut warnings = Vec::new();
+    warnings.extend(geometry(photo, request, regions));
+    warnings.extend(clipped(measured, &areas));
+    warnings.extend(black(measured, &areas));
+    warnings.extend(two_colours(&areas));
+    warnings.extend(small_ball(request));
+    warnings.extend(uneven(request, measured, outcome));
+    warnings.extend(mirrored_backdrop(request, measured));
+    warnings.extend(infeasible(outcome));
+    warnings.extend(gamut(outcome));
+    warnings.extend(estimate(photo, request, outcome));
+    warnings
+}
+
+/// The areas a person marked, by name.
+fn areas(photo: &Photo, regions: &Regions, light: &Light) -> Vec<(&'static str, AreaStatistics)> {
+    let picked = |region: &Option<super::region::Region>| region.as_ref().and_then(super::region::Region::picked);
+    let of = |name: &'static str, area: Area| (name, AreaStatistics::of(photo, area));
+    let cards = light.cards.iter().map(|(_, statistics)| ("card", statistics.clone()));
+    let facing = picked(&regions.inner).map(|area| of("facing area", area));
+    let edge = picked(&regions.outer).map(|area| of("edge area", area));
+    cards.chain(facing).chain(edge).collect()
+}
+
+fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<Warning> {
+    let mut messages = Vec::new();
+    if request.circle.is_some_and(|circle| !circle.is_inside(photo.width, photo.height)) {
+        messages.push("The circle is cut off by the picture; only the part inside is measured.".to_owned());
+    }
+    let cards = request.cards.iter().map(|card| ("card", card.area));
+    let picks = [("facing area", request.facing), ("edge area", request.edge)];
+    let picks = picks.into_iter().filter_map(|(name, area)| Some((name, area?)));
+    for (name, area) in cards.chain(picks) {
+        if !area.is_inside(photo.width, photo.height) {
+            messages.push(format!("The {name} leaves the picture; only the part inside is measured."));
+        }
+    }
+    for (name, region) in [("facing area", &regions.inner), ("edge area", &regions.outer)] {
+        if let Some(region) = region
+            && let Some(area) = region.picked()
+            && region.pixels(photo).count() < area.pixels(photo.width, photo.height).count()
+        {
+            messages.push(format!("The {name} leaves the ball; only the part inside its outline is measured."));
+        }
+    }
+    messages.into_iter().map(|message| Warning::new(WarningCode::Geometry, message)).collect()
+}
+
+fn clipped(measured: &Measured, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+    let in_areas = areas.iter().flat_map(|(name, statistics)| {
+        (0..3).filter(|&i| statistics.is_clipped(i)).map(|i| (*name, CHANNELS[i])).collect::<Vec<_>>()
+    });
+    let bands = [("middle of the ball", 0), ("rim of the ball", 1)];
+    let is_picked = |name: &str| areas.iter().any(|area| area.0 == name);
+    let in_bands = bands.into_iter().filter(|(_, stratum)| !is_picked(["facing area", "edge area"][*stratum]));
+    let in_bands = in_bands.flat_map(|(name, stratum)| {
+        (0..3).filter(move |&i| measured.counts.is_clipped(stratum, i)).map(move |i| (name, CHANNELS[i]))
+    });
+    let message = |(name, channel): (&str, &str)| {
+        format!("The {channel} channel is clipped in the {name}: it has no value there. Expose less.")
+    };
+    in_areas.chain(in_bands).map(|place| Warning::new(WarningCode::Clipped, message(place))).collect()
+}
+
+/// Signal below this many times its scatter is no measurement.
+const LEAST_SIGNAL_TO_NOISE: f64 = 5.0;
+
+fn black(measured: &Measured, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+    let is_dark = |s: &AreaStatistics| {
+        let drowns = |i: usize| s.trimmed_mean[i] < LEAST_SIGNAL_TO_NOISE * s.standard_deviation[i];
+        2 * s.black > s.pixels || (0..3).all(drowns)
+    };
+    let counts = &measured.counts;
+    let dark_band = (0..2).any(|stratum| 2 * counts.black[stratum] > counts.pixels[stratum]);
+    let names = areas.iter().filter(|(_, s)| is_dark(s)).map(|(name, _)| *name);
+    let ball = (dark_band && areas.iter().all(|(_, s)| !is_dark(s))).then_some("ball");
+    let message = |name: &str| format!("The {name} is too dark to measure: expose more.");
+    names.chain(ball).map(|name| Warning::new(WarningCode::Black, message(name))).collect()
+}
+
+fn two_colours(areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+    let has_two = |s: &AreaStatistics| {
+        (0..3).any(|i| {
+            let difference = (s.mean[i] - s.median[i]).abs();
+            let is_skewed = difference > 2.0 * s.standard_error[i] && difference > 0.02 * s.mean[i].abs();
+            // Noise alone gives 0.64, an even gradient 0.75.
+            let is_split = s.bimodality[i] > 0.85 && s.standard_deviation[i] > 0.02 * s.mean[i].abs();
+            is_skewed || is_split
+        })
+    };
+    let message = |name: &str| format!("There are two colours in the {name}: mark a smaller, even part.");
+    areas
+        .iter()
+        .filter(|(_, s)| has_two(s))
+        .map(|(name, _)| Warning::new(WarningCode::Multimodal, message(name)))
+        .collect()
+}
+
+/// Below this radius the angle of a pixel near the rim is not known well enough for h.
+const SMALL_RADIUS_PX: f64 = 60.0;
+
+fn small_ball(request: &MatchRequest) -> Option<Warning> {
+    let radius = request.circle?.radius;
+    (radius < SMALL_RADIUS_PX).then(|| {
+        let message = format!(
+            "The ball's radius is {radius:.0} pixels; below {SMALL_RADIUS_PX:.0} trust r only, h is of low confidence."
+        );
+        Warning::new(WarningCode::SmallBall, message)
+    })
+}
+
+/// A change around the azimuth beyond this is uneven surroundings.
+const AZIMUTH_CHANGE: f64 = 0.10;
+/// Cells scatter more than this many times the noise: the surroundings have structure.
+const RESIDUAL_OVER_NOISE: f64 = 3.0;
+/// What the model itself leaves over on measured metals.
+const MODEL_RESIDUAL: f64 = 0.01;
+
+fn uneven(request: &MatchRequest, measured: &Measured, outcome: &Match) -> Option<Warning> {
+    request.circle?;
+    let change = (0..3).map(|i| azimuth_change(&measured.all[i], &measured.curve, i)).fold(0.0, f64::max);
+    let is_scattered = (0..3).any(|i| outcome.residual[i] > RESIDUAL_OVER_NOISE * outcome.noise[i].max(MODEL_RESIDUAL));
+    (change > AZIMUTH_CHANGE || is_scattered).then(|| {
+        let message = format!(
+            "The surroundings are uneven: the reflection changes by {:.0} % around the ball. Use a light tent or a \
+             reference ball.",
+            change * 100.0
+        );
+        Warning::new(WarningCode::Environment, message)
+    })
+}
+
+/// Largest minus smallest sector over their mean; in each sector the median over rings of observed over fitted.
+fn azimuth_change(cells: &[Cell], curve: &MetalCurve, channel: usize) -> f64 {
+    [0, 1]
+        .map(|stratum| {
+            let sectors = sector_medians(cells, curve, channel, stratum);
+            let (low, high) =
+                sectors.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), v| (low.min(*v), high.max(*v)));
+            if sectors.len() < 2 { 0.0 } else { (high - low) * sectors.len() as f64 / sectors.iter().sum::<f64>() }
+        })
+        .into_iter()
+        .fold(0.0, f64::max)
+}
+
+fn sector_medians(cells: &[Cell], curve: &MetalCurve, channel: usize, stratum: usize) -> Vec<f64> {
+    let ratio = |cell: &Cell| cell.reflectance / curve.at(cell.weights, cell.cosine)[channel];
+    let in_sector = |sector: usize| cells.iter().filter(move |cell| cell.stratum == stratum && cell.block == sector);
+    let ratios = (0..SECTORS).map(|sector| in_sector(sector).map(ratio).collect::<Vec<_>>());
+    ratios.filter(|ratios| !ratios.is_empty()).map(|mut ratios| median(&mut ratios)).collect()
+}
+
+/// F of every real metal stays within this of its value at 65° until 83°; a steeper fall is another light.
+const STEEPEST_FALL: f64 = 0.10;
+
+fn mirrored_backdrop(request: &MatchRequest, measured: &Measured) -> Option<Warning> {
+    (request.circle.is_some() && request.edge.is_none() && falls_at_rim(measured)).then(|| {
+        let message = "The reflection falls towards the rim: it mirrors the backdrop, so h cannot be measured. Use a \
+                       bright backdrop.";
+        Warning::new(WarningCode::Environment, message)
+    })
+}
+
+/// True when, in the median channel, the outermost rings are darker than the inner rings of the outer band.
+pub(super) fn falls_at_rim(measured: &Measured) -> bool {
+    let mut falls = [0, 1, 2].map(|i| {
+        let of_rings = |rings: std::ops::Range<usize>| {
+            let cells = measured.all[i].iter().filter(|cell| cell.stratum == 1 && rings.contains(&cell.ring));
+            median(&mut cells.map(|cell| cell.reflectance).collect::<Vec<_>>())
+        };
+        of_rings(6..8) / of_rings(0..3)
+    });
+    median(&mut falls) < 1.0 - STEEPEST_FALL
+}
+
+/// ACEScg contains the colours of real metals; linear Rec.709 does not, so feasibility is judged there.
+fn infeasible(outcome: &Match) -> Vec<Warning> {
+    let (Some(r), Some(h)) = (outcome.complete_r(), outcome.complete_h()) else { return Vec::new() };
+    let [r, h] = [r, h].map(|rgb| outcome.space.convert(rgb, RgbSpace::AcesCg));
+    let largest = |u: [Option<f64>; 3]| u.into_iter().flatten().fold(0.0, f64::max);
+    let (u_r, u_h) = (largest(outcome.r_uncertainty), largest(outcome.h_uncertainty));
+    let unreachable = (0..3).find(|&i| is_unreachable(r[i], h[i], u_r, u_h));
+    let impossible = (0..3).find(|&i| {
+        let range = reflectance_range(r[i], h[i]);
+        *range.start() < -2.0 * u_h || *range.end() > 1.0 + 2.0 * u_r.max(u_h)
+    });
+    let unreachable = unreachable.map(|i| {
+        let (channel, r, h) = (CHANNELS[i], r[i], h[i]);
+        format!("No real metal has h {h:.2} at r {r:.2} ({channel}, ACEScg): check the light and the outline.")
+    });
+    let impossible = impossible.map(|i| {
+        let channel = CHANNELS[i];
+        format!("The curve leaves 0 to 1 in the {channel} channel (ACEScg): no surface reflects like that.")
+    });
+    unreachable.into_iter().chain(impossible).map(|message| Warning::new(WarningCode::Infeasible, message)).collect()
+}
+
+/// True when h lies outside what real n and k reach for any r within twice its uncertainty.
+fn is_unreachable(r: f64, h: f64, u_r: f64, u_h: f64) -> bool {
+    let bands = [r - 2.0 * u_r, r, r + 2.0 * u_r].map(|r| reachable_h(r.clamp(0.0, 0.999)));
+    let lowest = bands.iter().flatten().map(|band| *band.start()).fold(f64::INFINITY, f64::min);
+    let highest = bands.iter().flatten().map(|band| *band.end()).fold(0.0, f64::max);
+    h < lowest - 2.0 * u_h || h > highest + 2.0 * u_h
+}
+
+fn gamut(outcome: &Match) -> Option<Warning> {
+    let outside = |rgb: Option<Rgb>| rgb.is_some_and(|rgb| !rgb.is_in_unit_cube());
+    let names: Vec<&str> = [("r", outcome.complete_r()), ("h", outcome.complete_h())]
+        .into_iter()
+        .filter_map(|(name, rgb)| outside(rgb).then_some(name))
+        .collect();
+    (!names.is_empty()).then(|| {
+        let message = format!(
+            "{} lies outside 0 to 1 in {}; it is kept as measured. A wider space holds it, or map it into the gamut.",
+            names.join(" and "),
+            outcome.space.label()
+        );
+        Warning::new(WarningCode::Gamut, message)
+    })
+}
+
+fn estimate(photo: &Photo, request: &MatchRequest, outcome: &Match) -> Option<Warning> {
+    outcome.is_estimate.then(|| {
+        let message = match request.mode {
+            LightMode::ByEye => "The light was set by eye: this is an estimate, not a measurement.".to_owned(),
+            _ => format!(
+                "The tone curve of {} is assumed: this is an estimate. Mark neutral patches, or use a linear file.",
+                photo.name
+            ),
+        };
+        Warning::new(WarningCode::Estimate, message)
+    })
+}

@@ -1,0 +1,274 @@
+//! The parts of a picture a match reads, and the angle each pixel shows.
+
+use std::ops::Range;
+
+use super::MatchError;
+use crate::fresnel::{CosTheta, Weights};
+use crate::photo::area::pixel_range;
+use crate::photo::{Area, Circle, MatchRequest, Photo};
+
+/// Where r shows: the middle of the ball, up to 40°.
+const INNER_DEG: Range<f64> = 0.0..40.0;
+/// Where h shows: from 55° to 83°; beyond, edge pixels mix with the backdrop.
+const OUTER_DEG: Range<f64> = 55.0..83.0;
+/// Lens blur carries the backdrop this far inside the outline, in pixels.
+const RIM_MARGIN_PX: f64 = 1.5;
+/// Sectors around a band: what varies with the surroundings varies with the azimuth.
+pub(super) const SECTORS: usize = 24;
+/// Rings across a band.
+pub(super) const RINGS: usize = 8;
+/// Tiles each way across a picked area.
+const TILES: usize = 8;
+
+/// What a match reads: where r shows and where h shows.
+#[derive(Debug)]
+pub(super) struct Regions {
+    /// Facing pixels.
+    pub inner: Option<Region>,
+    /// Grazing pixels.
+    pub outer: Option<Region>,
+}
+
+/// A band of a ball, or an area a person picked.
+#[derive(Debug)]
+pub(super) struct Region {
+    shape: Shape,
+    radial: Option<RadialTable>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    /// A ring of a ball between two radii over the ball's.
+    Band { circle: Circle, from_rho: f64, to_rho: f64 },
+    /// An area on a ball, where the outline gives the angles.
+    OnBall { area: Area, circle: Circle },
+    /// An area of one known angle.
+    Flat { area: Area, facing: CosTheta },
+}
+
+/// Where a pixel belongs: a block for the jackknife, a ring for the fit, the weights of its angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub block: usize,
+    pub ring: usize,
+    pub weights: Weights,
+    pub cosine: f64,
+}
+
+impl Regions {
+    /// A picked area where there is one, else the band of the ball.
+    pub fn of(photo: &Photo, request: &MatchRequest) -> Result<Self, MatchError> {
+        let regions = Self::with_circle(request, request.circle);
+        if regions.inner.is_none() && regions.outer.is_none() {
+            return Err(MatchError::NothingMarked);
+        }
+        for (region, what) in [(&regions.inner, "facing area"), (&regions.outer, "edge area")] {
+            if let Some(region) = region
+                && region.pixels(photo).next().is_none()
+            {
+                let what = if region.is_band() { "ball" } else { what };
+                return Err(MatchError::NoPixels { what });
+            }
+        }
+        Ok(regions)
+    }
+
+    /// The same regions for another outline: what an error of the radius does.
+    pub fn with_circle(request: &MatchRequest, circle: Option<Circle>) -> Self {
+        let region = |picked: Option<Area>, band_deg: Range<f64>, facing: CosTheta| match (picked, circle) {
+            (Some(area), Some(circle)) => Some(Region::new(Shape::OnBall { area, circle })),
+            (Some(area), None) => Some(Region::new(Shape::Flat { area, facing })),
+            (None, Some(circle)) => Some(Region::new(Shape::band(circle, band_deg))),
+            (None, None) => None,
+        };
+        Self {
+            inner: region(request.facing, INNER_DEG, CosTheta::FACING),
+            outer: region(request.edge, OUTER_DEG, CosTheta::MAX),
+        }
+    }
+}
+
+impl Shape {
+    fn band(circle: Circle, band_deg: Range<f64>) -> Self {
+        let rho = |angle_deg: f64| angle_deg.to_radians().sin();
+        let to_rho = rho(band_deg.end).min(1.0 - RIM_MARGIN_PX / circle.radius);
+        Self::Band { circle, from_rho: rho(band_deg.start), to_rho }
+    }
+}
+
+impl Region {
+    fn new(shape: Shape) -> Self {
+        let radial = shape.circle().map(RadialTable::of);
+        Self { shape, radial }
+    }
+
+    /// True for a band of a ball, false for a picked area.
+    pub fn is_band(&self) -> bool {
+        matches!(self.shape, Shape::Band { .. })
+    }
+
+    /// The picked area, if it is one.
+    pub fn picked(&self) -> Option<Area> {
+        match self.shape {
+            Shape::Band { .. } => None,
+            Shape::OnBall { area, .. } | Shape::Flat { area, .. } => Some(area),
+        }
+    }
+
+    /// How many blocks the jackknife leaves out in turn.
+    pub fn blocks(&self) -> usize {
+        if self.is_band() { SECTORS } else { TILES * TILES }
+    }
+
+    /// The pixels of a picture that belong to it, each with its place.
+    pub fn pixels(&self, photo: &Photo) -> impl Iterator<Item = (u32, u32, Place)> {
+        let [x, y, width, height] = self.shape.bounds();
+        let columns = pixel_range(x, width, photo.width);
+        let pixels = pixel_range(y, height, photo.height).flat_map(move |row| columns.clone().map(move |c| (c, row)));
+        pixels.filter_map(|(column, row)| {
+            let place = self.place(f64::from(column) + 0.5, f64::from(row) + 0.5)?;
+            Some((column, row, place))
+        })
+    }
+
+    fn place(&self, x: f64, y: f64) -> Option<Place> {
+        match self.shape {
+            Shape::Band { circle, from_rho, to_rho } => {
+                let rho = circle.rho(x, y);
+                (from_rho..to_rho).contains(&rho).then(|| {
+                    let share = if from_rho > 0.0 {
+                        (rho.asin() - from_rho.asin()) / (to_rho.asin() - from_rho.asin())
+                    } else {
+                        (rho / to_rho).powi(2)
+                    };
+                    Place {
+                        block: sector(circle, x, y),
+                        ring: ring(share),
+                        weights: self.weights_at(rho),
+                        cosine: cosine(rho),
+                    }
+                })
+            }
+            Shape::OnBall { area, circle } => {
+                let rho = circle.rho(x, y);
+                let is_on_ball = rho < 1.0 - RIM_MARGIN_PX / circle.radius;
+                (is_on_ball && area.contains(x, y)).then(|| Place {
+                    block: tile(area, x, y),
+                    ring: ring(rho * rho),
+                    weights: self.weights_at(rho),
+                    cosine: cosine(rho),
+                })
+            }
+            Shape::Flat { area, facing } => area.contains(x, y).then(|| Place {
+                block: tile(area, x, y),
+                ring: 0,
+                weights: Weights::at(facing),
+                cosine: facing.get(),
+            }),
+        }
+    }
+
+    fn weights_at(&self, rho: f64) -> Weights {
+        self.radial.as_ref().map_or_else(|| Weights::at(CosTheta::FACING), |table| table.at(rho))
+    }
+}
+
+impl Shape {
+    fn circle(self) -> Option<Circle> {
+        match self {
+            Self::Band { circle, .. } | Self::OnBall { circle, .. } => Some(circle),
+            Self::Flat { .. } => None,
+        }
+    }
+
+    fn bounds(self) -> [f64; 4] {
+        match self {
+            Self::Band { circle, .. } => Area::from(circle).bounds(),
+            Self::OnBall { area, .. } | Self::Flat { area, .. } => area.bounds(),
+        }
+    }
+}
+
+/// cos θ where a ball shows sin θ = ρ.
+fn cosine(rho: f64) -> f64 {
+    (1.0 - rho * rho).max(0.0).sqrt()
+}
+
+/// Rings of equal area, so that each weighs as much as it shows.
+fn ring(share: f64) -> usize {
+    ((share * RINGS as f64) as usize).min(RINGS - 1)
+}
+
+fn sector(circle: Circle, x: f64, y: f64) -> usize {
+    let turn = (y - circle.y).atan2(x - circle.x) / std::f64::consts::TAU + 0.5;
+    ((turn * SECTORS as f64) as usize).min(SECTORS - 1)
+}
+
+fn tile(area: Area, x: f64, y: f64) -> usize {
+    let [left, top, width, height] = area.bounds();
+    let index = |offset: f64, size: f64| ((offset / size * TILES as f64) as usize).min(TILES - 1);
+    index(y - top, height) * TILES + index(x - left, width)
+}
+
+/// The weights over ρ, each the mean over a pixel's footprint.
+///
+/// Near the rim a pixel covers several degrees: on a ball of 100 px the one around 82° spans 80–84°.
+#[derive(Debug)]
+struct RadialTable(Vec<Weights>);
+
+impl RadialTable {
+    const STEPS: usize = 4096;
+
+    fn of(circle: Circle) -> Self {
+        let rho = |step: usize| (step as f64 / Self::STEPS as f64).sqrt();
+        Self((0..=Self::STEPS).map(|step| footprint_mean(rho(step), 1.0 / circle.radius)).collect())
+    }
+
+    /// Linear in ρ² between the steps: that is where angles crowd.
+    fn at(&self, rho: f64) -> Weights {
+        let position = (rho * rho).clamp(0.0, 1.0) * Self::STEPS as f64;
+        let step = (position as usize).min(Self::STEPS - 1);
+        let share = position - step as f64;
+        let mix = |of: fn(&Weights) -> f64| of(&self.0[step]) * (1.0 - share) + of(&self.0[step + 1]) * share;
+        Weights { of_r: mix(|w| w.of_r), of_h: mix(|w| w.of_h), of_white: mix(|w| w.of_white) }
+    }
+}
+
+/// The mean of the weights over `rho` ± half a pixel, by five points in its middle.
+fn footprint_mean(rho: f64, pixel: f64) -> Weights {
+    let points = [-0.4, -0.2, 0.0, 0.2, 0.4].map(|offset| {
+        let rho = (rho + offset * pixel).clamp(0.0, 1.0);
+        Weights::at(CosTheta::new((1.0 - rho * rho).sqrt()))
+    });
+    let mean = |of: fn(&Weights) -> f64| points.iter().map(of).sum::<f64>() / points.len() as f64;
+    Weights { of_r: mean(|w| w.of_r), of_h: mean(|w| w.of_h), of_white: mean(|w| w.of_white) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_footprint_shrinks_to_the_point() {
+        for angle_deg in [0.0_f64, 30.0, 60.0, 82.0] {
+            let rho = angle_deg.to_radians().sin();
+            let point = Weights::at(CosTheta::from_deg(angle_deg));
+            assert!((footprint_mean(rho, 1e-9).of_h - point.of_h).abs() < 1e-6);
+            assert!((RadialTable::of(Circle::new(0.0, 0.0, 1e6)).at(rho).of_h - point.of_h).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn bands_keep_clear_of_the_outline() {
+        let photo = Photo::from_linear("test", 60, 60, vec![[1.0; 3]; 3600]);
+        let circle = Circle::new(30.0, 30.0, 25.0);
+        let request = MatchRequest { circle: Some(circle), ..MatchRequest::default() };
+        let regions = Regions::of(&photo, &request).unwrap();
+        let farthest = |region: &Option<Region>| {
+            let rho = |(x, y, _)| circle.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            region.as_ref().unwrap().pixels(&photo).map(rho).fold(0.0, f64::max)
+        };
+        assert!(farthest(&regions.inner) <= 40.0_f64.to_radians().sin());
+        assert!(farthest(&regions.outer) <= 1.0 - 1.5 / 25.0);
+    }
+}
