@@ -6,6 +6,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | [`file`] | files, whole or not at all |
 //! | [`color`] | linear triples, RGB spaces, adaptation, Lab and CIEDE2000, encodings |
 //! | [`spectrum`] | the observer, the illuminants, the way from a spectrum to RGB |
 //! | [`fresnel`] | one file per model, and the region of reflectances |
@@ -26,6 +27,7 @@
 pub mod color;
 pub mod export;
 pub mod figure;
+pub mod file;
 pub mod fit;
 pub mod fresnel;
 pub mod kernel;

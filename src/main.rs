@@ -2,20 +2,32 @@
 
 use std::process::ExitCode;
 
-use edgewise::cli;
+use edgewise::cli::{self, Arguments};
 
 fn main() -> ExitCode {
-    let arguments = match cli::parse(std::env::args_os()) {
+    let mut arguments = match cli::parse(std::env::args_os()) {
         Ok(arguments) => arguments,
         Err(code) => return code,
     };
-    match (arguments.command, arguments.path) {
+    match (arguments.command.take(), &arguments.path) {
         (Some(command), _) => cli::run(command),
         (None, Some(path)) if !path.exists() => {
             cli::fail(&anyhow::anyhow!("{}: there is no such file", path.display()))
         }
-        (None, _) => {
-            cli::fail(&anyhow::anyhow!("this build has no window; `edgewise --help` lists what it does without one"))
-        }
+        (None, _) => window(arguments),
     }
+}
+
+#[cfg(feature = "gui")]
+fn window(arguments: Arguments) -> ExitCode {
+    let renderer = arguments.renderer.parse().expect("the parser of arguments lets nothing else through");
+    match edgewise::gui::run(edgewise::gui::Options { path: arguments.path, renderer }) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => cli::fail(&error.into()),
+    }
+}
+
+#[cfg(not(feature = "gui"))]
+fn window(_: Arguments) -> ExitCode {
+    cli::fail(&anyhow::anyhow!("this build has no window; `edgewise --help` lists what it does without one"))
 }

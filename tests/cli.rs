@@ -77,7 +77,9 @@ fn reflect_is_unclamped_and_says_so() {
 fn reflect_evaluates_each_model_of_given_colours() {
     let curve = |model: &str| {
         let colours = ["reflect", "--r", "0.6,0.5,0.4", "--h", "0.7,0.6,0.55", "--angles", "0,45,max,90"];
-        csv_rows(&quiet(&[&colours[..], &["--model", model, "--format", "csv"]].concat()))
+        let output = edgewise(&[&colours[..], &["--model", model, "--format", "csv"]].concat());
+        assert_eq!(output.status.code(), Some(0));
+        csv_rows(&String::from_utf8(output.stdout).unwrap())
     };
     let angle = |row: &[f64]| CosTheta::from_deg(row[0]);
     for row in curve("hoffman").iter().chain(&curve("f82-tint")) {
@@ -88,6 +90,30 @@ fn reflect_evaluates_each_model_of_given_colours() {
     }
     assert_eq!(curve("constant")[3][1..], [0.6, 0.5, 0.4]);
     assert_eq!(curve("hoffman")[2][0], THETA_MAX_DEG);
+}
+
+#[test]
+fn reflect_warns_of_what_no_material_shows() {
+    let curve =
+        edgewise(&["reflect", "--r", "0.5,0.5,0.5", "--h", "0.01,0.5,0.5", "--angles", "60", "--format", "csv"]);
+    assert_eq!(curve.status.code(), Some(0));
+    assert!(stderr(&curve).contains("no material has this r and h"), "{}", stderr(&curve));
+    let outside =
+        edgewise(&["reflect", "--r", "-0.1,0.5,0.5", "--h", "0.5,1.5,0.5", "--angles", "0,max", "--format", "csv"]);
+    assert_eq!(stderr(&outside).lines().count(), 2, "{}", stderr(&outside));
+    let rows = csv_rows(&String::from_utf8(outside.stdout).unwrap());
+    assert!(rows[0][1] == -0.1 && (rows[1][2] - 1.5).abs() < 1e-14, "unclamped: {rows:?}");
+}
+
+#[test]
+fn reflect_with_few_wavelengths_approaches_the_truth() {
+    let r = |model: &str| {
+        json(&["reflect", "--metal", "Cr", "--model", model, "--angles", "0", "--json"])["curve"][0]["red"]
+            .as_f64()
+            .unwrap()
+    };
+    let errors = ["spectral-3", "spectral-8", "spectral-31"].map(|model| (r(model) - r("spectral")).abs());
+    assert!(errors[0] > errors[2] && errors[2] < 1e-4, "{errors:?}");
 }
 
 #[test]
@@ -149,15 +175,24 @@ fn what_cannot_reflect_is_refused() {
     assert!(refusal(1, &["reflect", "--nk", "no/such.csv"]).contains("no/such.csv"));
     assert!(refusal(1, &["reflect", "--preset", env!("CARGO_MANIFEST_DIR")]).contains("no regular file"));
     assert!(refusal(1, &with(&["--model", "spectral"])).contains("spectrum"));
-    assert!(refusal(1, &with(&["--model", "phong"])).contains("hoffman"));
+    assert!(refusal(2, &with(&["--model", "phong"])).contains("hoffman"));
+    assert!(refusal(2, &with(&["--model", "spectral-1"])).contains("2–401"));
+    assert!(refusal(1, &with(&["--method", "exact"])).contains("--method"));
+    assert!(
+        refusal(1, &["reflect", "--metal", "Au", "--model", "conductor", "--method", "exact"])
+            .contains("colour-matching")
+    );
+    assert!(refusal(2, &["reflect", "--r", "1.1,1,1", "--g", "1,1,1"]).contains("0–1"));
+    assert!(refusal(2, &["reflect", "--n", "1,-1,1", "--k", "1,1,1"]).contains("at least 0"));
+    assert!(refusal(2, &with(&["--t", "1,1,1"])).contains("one of --h, --t and --g"));
     assert!(refusal(2, &with(&["--space", "srgb"])).contains("lin_rec709"));
     assert!(refusal(2, &with(&["--angles", "0:91:1"])).contains("91°"));
     assert!(refusal(2, &with(&["--angles", "a"])).contains("“a” is no number"));
     assert!(refusal(2, &["reflect", "--r", "1,2", "--h", "1,2,3"]).contains("three numbers"));
     assert!(refusal(2, &["reflect", "--r", "NaN,0,0", "--h", "1,2,3"]).contains("not finite"));
     assert!(refusal(2, &["reflect", "--r", "1,1,1"]).contains("--h"));
-    assert!(refusal(2, &["reflect", "--metal", "Au", "--preset", "p.json"]).contains("cannot be used with"));
-    refusal(2, &["reflect"]);
+    assert!(refusal(2, &["reflect", "--metal", "Au", "--preset", "p.json"]).contains("one material"));
+    assert!(refusal(2, &["reflect"]).contains("one material"));
     refusal(2, &["reflect", "--metal", "Au", "--json", "--format", "csv"]);
 }
 
@@ -169,6 +204,93 @@ fn presets_of_another_version_are_refused_by_name() {
         .unwrap();
     let sentence = refusal(1, &["reflect", "--preset", path.to_str().unwrap()]);
     assert!(sentence.contains("future.json") && sentence.contains("format 7"), "{sentence}");
+}
+
+// --- convert, fit, study, export ---
+
+#[test]
+fn convert_is_exact_between_two_words_for_one_curve() {
+    let value = json(&[
+        "convert",
+        "--r",
+        "0.6,0.5,0.4",
+        "--h",
+        "0.7,0.6,0.55",
+        "--to",
+        "f82-tint",
+        "--to",
+        "schlick",
+        "--json",
+    ]);
+    let [tint, schlick] = [&value["conversions"][0], &value["conversions"][1]];
+    assert_eq!((&tint["exact"], &schlick["exact"]), (&json!(true), &json!(false)));
+    assert!((tint["model"]["t"][0].as_f64().unwrap() - t_from_r_h(0.6, 0.7)).abs() < 1e-14);
+    assert_eq!(schlick["losses"][0]["code"], json!("edge-dropped"));
+
+    let all = quiet(&["convert", "--n", "1.5,1.5,1.5", "--k", "2,2,2", "--to", "gulbrandsen", "--format", "csv"]);
+    assert_eq!(all.lines().next(), Some("model,parameter,red,green,blue,max_difference,max_delta_e"));
+    let lossy = edgewise(&["convert", "--metal", "Cr", "--to", "gulbrandsen"]);
+    assert!(stderr(&lossy).contains("warning: gulbrandsen: "), "{}", stderr(&lossy));
+}
+
+#[test]
+fn fit_gives_parameters_with_their_error() {
+    let fits = json(&["fit", "--metal", "Cr", "--model", "hoffman", "--space", "acescg", "--json"]);
+    let exact = &fits[0];
+    assert_eq!((&exact["method"], &exact["space"]), (&json!("exact"), &json!("acescg")));
+    assert_eq!(exact["model"]["h"], json!(metal_by_name("Cr").unwrap().h(RgbSpace::AcesCg)));
+    let mean = |fit: &Value| fit["error"]["mean_delta_e"].as_f64().unwrap();
+    let best = fits.as_array().unwrap().iter().find(|fit| fit["method"] == json!("black-box")).unwrap();
+    assert!(mean(best) <= mean(exact), "the search starts from the exact parameters");
+
+    let csv = quiet(&["fit", "--metal", "Cr", "--method", "exact", "--format", "csv"]);
+    let header = "metal,space,model,method,mean_delta_e,max_delta_e,angle_of_max_deg,sphere_delta_e,parameters";
+    assert_eq!(csv.lines().next(), Some(header));
+    assert_eq!(csv.lines().count(), 1 + 5, "the models that have exact parameters");
+    assert!(
+        refusal(1, &["fit", "--metal", "Cr", "--model", "conductor", "--method", "exact"]).contains("least-squares")
+    );
+    refusal(2, &["fit"]);
+}
+
+#[test]
+fn study_accuracy_measures_what_it_is_asked() {
+    let arguments = ["study", "accuracy", "--metal", "Cr", "--metal", "Au", "--space", "acescg"];
+    let candidates = ["--candidate", "schlick:exact", "--candidate", "hoffman:exact"];
+    let with = |more: &[&'static str]| [&arguments[..], &candidates[..], more].concat();
+    let rows = json(&with(&["--json"]));
+    assert_eq!(rows.as_array().unwrap().len(), 4);
+    let csv = quiet(&with(&["--format", "csv"]));
+    let header =
+        "metal,name,category,space,model,method,mean_delta_e,max_delta_e,angle_of_max_deg,sphere_delta_e,losses";
+    assert_eq!(csv.lines().next(), Some(header));
+    let summary = json(&with(&["--summary", "--json"]));
+    let mean = |row: &Value| row["mean_delta_e"].as_f64().unwrap();
+    assert!((mean(&summary[0]) - (mean(&rows[0]) + mean(&rows[2])) / 2.0).abs() < 1e-12);
+    assert!(refusal(2, &["study", "accuracy", "--candidate", "hoffman"]).contains("model:method"));
+}
+
+#[test]
+fn export_writes_files_and_says_what_they_lose() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let exported = edgewise(&["export", "--metal", "Au", "--metal", "Cr", "--to", "open-pbr", "-o", path, "--json"]);
+    let value: Value = serde_json::from_slice(&exported.stdout).unwrap();
+    for file in value[0]["files"].as_array().unwrap() {
+        assert!(fs::read_to_string(file.as_str().unwrap()).unwrap().contains("open_pbr_surface"));
+    }
+    assert!(stderr(&exported).contains("open-pbr: Gold: the reader takes 0 to 1"), "{}", stderr(&exported));
+
+    let preset = folder.path().join("p.json");
+    Preset::new_authored().save(&preset).unwrap();
+    let listed = quiet(&["export", preset.to_str().unwrap(), "--to", "glsl", "-o", path, "--format", "csv"]);
+    assert_eq!(listed.lines().next(), Some("target,file,bytes"));
+    assert!(
+        refusal(1, &["export", "--metal", "Au", "--to", "gltf", "--space", "acescg", "-o", path]).contains("acescg")
+    );
+    assert!(refusal(2, &["export", "--metal", "Au", "--to", "maya"]).contains("open-pbr"));
+    refusal(2, &["export", "--to", "glsl"]);
+    assert!(quiet(&["export", "--list"]).contains("open-pbr"));
 }
 
 // --- metals, presets ---
@@ -212,9 +334,11 @@ fn presets_are_listed_and_written() {
 #[test]
 fn help_names_every_subcommand_and_each_has_both_format_flags() {
     let help = quiet(&["--help"]);
-    for subcommand in ["metals", "presets", "reflect"] {
+    for subcommand in ["metals", "presets", "reflect", "convert", "fit", "export", "study"] {
         assert!(help.contains(&format!("\n  {subcommand} ")), "{help}");
-        let help = quiet(&[subcommand, "--help"]);
+        let path: &[&str] =
+            if subcommand == "study" { &["study", "accuracy", "--help"] } else { &[subcommand, "--help"] };
+        let help = quiet(path);
         assert!(help.contains("--json") && help.contains("--format"), "{subcommand}");
     }
     assert!(quiet(&["--version"]).contains(env!("CARGO_PKG_VERSION")));

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 
 use edgewise::color::{Rgb, RgbSpace, srgb_decode};
 use edgewise::photo::{OpenOptions, Photo, PhotoError, PhotoErrorKind, Untagged, WarningCode};
+use image::ExtendedColorType;
 use photo_files::*;
 use png::{BitDepth, ColorType};
 
@@ -172,6 +173,8 @@ fn exif_orientation_is_applied_in_every_format_that_carries_it() {
         let files = [
             ("a.jpg", jpeg([32, 16], &quarters(), None, Some(&block))),
             ("a.png", png([32, 16], ColorType::Rgb, BitDepth::Eight, &quarters(), &[(*b"eXIf", block.clone())])),
+            ("a.tif", tiff([32, 16], &[8; 3], 1, &quarters(), &[(274, vec![orientation.into()])])),
+            ("a.webp", webp([32, 16], &quarters(), ExtendedColorType::Rgb8, None, Some(&block))),
         ];
         for (name, bytes) in files {
             let photo = read(name, &bytes);
@@ -217,6 +220,120 @@ fn a_joined_profile_with_a_missing_part_is_said() {
     let photo = read("a.jpg", &broken);
     assert_eq!(codes(&photo), [WarningCode::Profile, WarningCode::Assumed]);
     assert!(photo.warnings[0].message.contains("incomplete"));
+}
+
+fn le16(values: &[u16]) -> Vec<u8> {
+    values.iter().flat_map(|v| v.to_le_bytes()).collect()
+}
+
+fn le32(values: &[f32]) -> Vec<u8> {
+    values.iter().flat_map(|v| v.to_le_bytes()).collect()
+}
+
+#[test]
+fn tiff_depths_and_layouts_agree() {
+    let wide = CODE.map(|v| u16::from(v) * 257);
+    let linear = srgb().0.map(|v| v as f32);
+    let halves = linear.map(|v| half::f16::from_f32(v).to_bits());
+    let doubles: Vec<u8> = linear.iter().flat_map(|v| f64::from(*v).to_le_bytes()).collect();
+    let planes: Vec<u8> = CODE.iter().flat_map(|v| [*v; 4]).collect();
+    // A planar file has one strip for each plane.
+    let planar = [(284, vec![2]), (273, vec![8, 12, 16]), (279, vec![4; 3])];
+    let cases = [
+        (tiff([2, 2], &[8; 3], 1, &CODE.repeat(4), &[]), 1e-6),
+        (tiff([2, 2], &[16; 3], 1, &le16(&wide.repeat(4)), &[]), 1e-6),
+        (tiff([2, 2], &[32; 3], 3, &le32(&linear.repeat(4)), &[]), 1e-6),
+        (tiff([2, 2], &[16; 3], 3, &le16(&halves.repeat(4)), &[]), 1e-3),
+        (tiff([2, 2], &[64; 3], 3, &doubles.repeat(4), &[]), 1e-6),
+        (tiff([2, 2], &[8; 3], 1, &planes, &planar), 1e-6),
+    ];
+    for (bytes, tolerance) in cases {
+        let photo = read("a.tif", &bytes);
+        assert_eq!(codes(&photo), [WarningCode::Assumed]);
+        for (column, row) in [(0, 0), (1, 1)] {
+            assert_near(photo.pixel(column, row).unwrap().rgb, srgb(), tolerance);
+        }
+    }
+    let grey = read("a.tif", &tiff([2, 2], &[32], 3, &le32(&[0.25, 2.0, -1.0, 0.0]), &[]));
+    assert_eq!(grey.pixel(1, 0).unwrap().rgb, Rgb::splat(2.0));
+    assert_eq!(codes(&grey), [WarningCode::Assumed, WarningCode::Negative]);
+    assert!(grey.is_scene_linear());
+}
+
+#[test]
+fn tiff_statements_count_in_order() {
+    let of = |bits: u32, more: &[(u16, Vec<u32>)]| {
+        let data = if bits == 32 { le32(&[0.5; 12]) } else { CODE.repeat(4) };
+        read("a.tif", &tiff([2, 2], &[bits; 3], if bits == 32 { 3 } else { 1 }, &data, more))
+    };
+    let profile = moxcms::ColorProfile::new_display_p3().encode().unwrap();
+    let icc = (34_675, profile.iter().map(|v| u32::from(*v)).collect());
+    let photo = of(8, &[icc]);
+    assert_eq!(photo.colour_rule.to_string(), "ICC profile: Display P3");
+    assert_near(colour(&photo), expected(srgb_decode, RgbSpace::LinDisplayP3), 3e-4);
+    assert_eq!(codes(&of(8, &[(34_675, vec![1, 2, 3, 4, 5])])), [WarningCode::Profile, WarningCode::Assumed]);
+
+    let rational = |values: &[u32]| values.iter().flat_map(|v| [*v, 1000]).collect::<Vec<_>>();
+    let p3 = [(318, vec![3127, 10_000, 3290, 10_000]), (319, rational(&[680, 320, 265, 690, 150, 60]))];
+    let photo = of(8, &p3);
+    assert_eq!(photo.colour_rule.to_string(), "TIFF primaries; sRGB curve assumed");
+    assert_near(colour(&photo), expected(srgb_decode, RgbSpace::LinDisplayP3), 1e-6);
+    assert!(of(32, &p3).is_scene_linear() && of(32, &p3).colour_rule.is_assumed());
+}
+
+#[test]
+fn tiff_alpha_is_divided_out_or_ignored() {
+    let of = |kind: u32| read("a.tif", &tiff([1, 1], &[32; 4], 3, &le32(&[0.2, 0.1, 0.05, 0.5]), &[(338, vec![kind])]));
+    assert_near(colour(&of(1)), Rgb([0.4, 0.2, 0.1]), 1e-7);
+    assert_near(colour(&of(2)), Rgb([0.2, 0.1, 0.05]), 1e-7);
+    assert_eq!(codes(&of(1)), [WarningCode::Alpha, WarningCode::Assumed]);
+}
+
+#[test]
+fn webp_is_read_without_loss_and_with_its_profile() {
+    let data = CODE.repeat(16);
+    let photo = read("a.webp", &webp([4, 4], &data, ExtendedColorType::Rgb8, None, None));
+    assert_eq!(codes(&photo), [WarningCode::Assumed]);
+    assert_near(colour(&photo), srgb(), 1e-6);
+    let profile = moxcms::ColorProfile::new_display_p3().encode().unwrap();
+    let photo = read("a.webp", &webp([4, 4], &data, ExtendedColorType::Rgb8, Some(&profile), None));
+    assert_near(colour(&photo), expected(srgb_decode, RgbSpace::LinDisplayP3), 3e-4);
+    let rgba = [CODE[0], CODE[1], CODE[2], 100].repeat(16);
+    let photo = read("a.webp", &webp([4, 4], &rgba, ExtendedColorType::Rgba8, None, None));
+    assert!(codes(&photo).contains(&WarningCode::Alpha));
+    assert_near(colour(&photo), srgb(), 1e-6);
+}
+
+/// Ward's format: value = mantissa / 256 · 2^(exponent − 128).
+#[test]
+fn radiance_values_are_undone_to_radiance() {
+    let pixel = [128, 64, 32, 129];
+    let value = Rgb([1.0, 0.5, 0.25]);
+    let photo = read("a.hdr", &hdr("", "-Y 1 +X 1", &[pixel]));
+    assert!(photo.is_scene_linear() && codes(&photo) == [WarningCode::Assumed]);
+    assert_near(colour(&photo), value, 1e-9);
+    let photo = read("a.hdr", &hdr("EXPOSURE=2\nEXPOSURE=4\nCOLORCORR=1 1 2\n", "-Y 1 +X 1", &[pixel]));
+    assert_near(colour(&photo), Rgb([0.125, 0.0625, 0.015_625]), 1e-9);
+    let p3 = "PRIMARIES=.680 .320 .265 .690 .150 .060 .3127 .3290\n";
+    let photo = read("a.hdr", &hdr(p3, "-Y 1 +X 1", &[pixel]));
+    assert_eq!(codes(&photo), []);
+    assert_near(colour(&photo), RgbSpace::LinDisplayP3.convert(value, RgbSpace::LinRec709), 1e-6);
+    // Scanlines along columns, from the bottom: the last stored pixel of the first scanline is at the top left.
+    let photo = read("a.hdr", &hdr("", "+X 1 +Y 2", &[[2, 3, 4, 129], pixel]));
+    assert_eq!([photo.width, photo.height], [1, 2]);
+    assert_near(colour(&photo), value, 1e-9);
+}
+
+/// XYZ of the equal-energy white is white, and Y alone is the luminance of Rec.709.
+#[test]
+fn radiance_xyz_is_converted() {
+    let bytes = |xyze: [u8; 4]| {
+        let text = String::from_utf8(hdr("", "-Y 1 +X 1", &[])).unwrap().replace("rgbe", "xyze");
+        [text.as_bytes(), &xyze].concat()
+    };
+    assert_near(colour(&read("a.hdr", &bytes([128, 128, 128, 129]))), Rgb::WHITE, 1e-9);
+    let colour = colour(&read("a.hdr", &bytes([100, 128, 30, 129])));
+    assert!((RgbSpace::LinRec709.xyz(colour).0[1] - 1.0).abs() < 0.02, "{colour:?}");
 }
 
 fn flat(value: f32) -> Vec<f32> {

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::Path;
 
 use edgewise::color::{Rgb, RgbSpace};
+use edgewise::file::replace_file;
 use edgewise::metal::{Provenance, metal_by_name, preferred_metals};
 use edgewise::photo::Recipe;
-use edgewise::preset::{Origin, PRESET_FORMAT, Preset, built_in_presets, presets_from_metals, replace_file};
+use edgewise::preset::{Origin, PRESET_FORMAT, Preset, built_in_presets, presets_from_metals};
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -222,7 +223,7 @@ fn files_that_cannot_be_presets_are_refused_unread() {
         path
     };
     assert!(refusal(folder.path()).contains("no regular file"));
-    assert!(refusal(&folder.path().join("none.json")).contains("No such file"));
+    assert!(refusal(&folder.path().join("none.json")).contains("no such file"));
     assert!(refusal(&file("latin1", b"{\"name\": \"\xe9\"}")).contains("UTF-8"));
     assert!(refusal(&file("huge", &vec![b' '; (4 << 20) + 1])).contains("4 MiB"));
 }

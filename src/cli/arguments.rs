@@ -1,7 +1,8 @@
 //! Things people type: each parser says in one sentence what it expected.
 
 use crate::color::Rgb;
-use crate::fresnel::THETA_MAX_DEG;
+use crate::fresnel::{ModelKind, THETA_MAX_DEG};
+use crate::spectrum::SAMPLES;
 
 /// More angles than this are a slip of the keyboard.
 const MOST_ANGLES: usize = 100_000;
@@ -17,6 +18,32 @@ pub fn triple(text: &str) -> Result<Rgb, String> {
     let values = text.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
     let channels = <[f64; 3]>::try_from(values);
     channels.map(Rgb).map_err(|values| format!("expected three numbers like 0.9,0.7,0.4, found {}", values.len()))
+}
+
+/// What computes a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// The truth of a metal.
+    Spectral,
+    /// The spectral model with so many wavelengths.
+    FewWavelengths(usize),
+    /// A model of three channels.
+    Rgb(ModelKind),
+}
+
+/// `spectral`, `spectral-8`, or a model's identifier.
+pub fn model(text: &str) -> Result<Model, String> {
+    let few = |count: &str| count.parse().ok().filter(|count| (2..=SAMPLES).contains(count)).map(Model::FewWavelengths);
+    match text.strip_prefix("spectral-") {
+        _ if text == "spectral" => Ok(Model::Spectral),
+        Some(count) => {
+            few(count).ok_or_else(|| format!("“{text}” needs a number of 2–{SAMPLES} wavelengths, like spectral-8"))
+        }
+        None => text
+            .parse()
+            .map(Model::Rgb)
+            .map_err(|unknown: crate::color::UnknownName| format!("{unknown}, spectral, spectral-N")),
+    }
 }
 
 /// Angles of incidence in degrees.

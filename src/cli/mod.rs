@@ -3,18 +3,28 @@
 //! | file | what it is for |
 //! |---|---|
 //! | `arguments` | triples, angles and other things people type |
-//! | `output` | table, CSV and JSON, one form of each for every subcommand |
+//! | `convert` | `edgewise convert`: the same material in other parameters |
+//! | `export` | `edgewise export`: presets as files for renderers |
+//! | `fit` | `edgewise fit`: parameters of models for a measured metal |
 //! | `metals` | `edgewise metals`: the library of measured data |
+//! | `output` | table, CSV and JSON, one form of each for every subcommand |
+//! | `parameters` | the parameters of a model as rows |
 //! | `presets` | `edgewise presets`: the presets that ship with the program |
 //! | `reflect` | `edgewise reflect`: reflectance over angle |
 //! | `source` | what material a subcommand is about |
+//! | `study` | `edgewise study`: the paper's evidence, measured |
 
 mod arguments;
+mod convert;
+mod export;
+mod fit;
 mod metals;
 mod output;
+mod parameters;
 mod presets;
 mod reflect;
 mod source;
+mod study;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -30,6 +40,9 @@ use output::Output;
 pub struct Arguments {
     /// A photograph or a preset to open in the window
     pub path: Option<PathBuf>,
+    /// What draws the window; auto goes by what the machine has
+    #[arg(long, default_value = "auto", value_parser = ["auto", "wgpu", "glow"])]
+    pub renderer: String,
     /// What to do without a window
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -40,10 +53,18 @@ pub struct Arguments {
 pub enum Command {
     /// List the measured metals of the library
     Metals(metals::Metals),
+    /// Give the same material in the parameters of other models
+    Convert(convert::Convert),
+    /// Fit models to a measured metal
+    Fit(fit::FitCommand),
+    /// Write presets for renderers
+    Export(export::Export),
     /// List the built-in presets, or write them as files
     Presets(presets::Presets),
     /// Print or plot reflectance over the angle of incidence
     Reflect(reflect::Reflect),
+    /// Measure what the paper claims
+    Study(study::Study),
 }
 
 impl Command {
@@ -52,6 +73,10 @@ impl Command {
             Self::Metals(command) => command.run(),
             Self::Presets(command) => command.run(),
             Self::Reflect(command) => command.run(),
+            Self::Convert(command) => command.run(),
+            Self::Fit(command) => command.run(),
+            Self::Export(command) => command.run(),
+            Self::Study(command) => command.run(),
         }
     }
 }
@@ -61,7 +86,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments,
     Arguments::try_parse_from(arguments).map_err(|error| {
         if error.use_stderr() {
             output::complain(&usage_sentence(&error));
-            return ExitCode::from(2);
+            return ExitCode::from(USAGE);
         }
         // Help and version; a reader that went away wants none.
         let _ = error.print();
@@ -86,8 +111,20 @@ pub fn fail(error: &anyhow::Error) -> ExitCode {
     if error.chain().any(is_broken_pipe) {
         return ExitCode::SUCCESS;
     }
+    if let Some(usage) = error.downcast_ref::<clap::Error>() {
+        output::complain(&usage_sentence(usage));
+        return ExitCode::from(USAGE);
+    }
     output::complain(&format!("{error:#}"));
     ExitCode::FAILURE
+}
+
+/// Exit code of arguments that cannot be understood.
+const USAGE: u8 = 2;
+
+/// Arguments that clap takes one by one, but that make no sense together.
+fn usage(sentence: &str) -> anyhow::Error {
+    clap::Error::raw(clap::error::ErrorKind::ArgumentConflict, sentence).into()
 }
 
 /// The first paragraph of clap's message on one line, without its tips.

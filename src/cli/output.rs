@@ -84,6 +84,8 @@ pub enum Cell {
     Number(f64, usize),
     /// Yes or no.
     Flag(bool),
+    /// There is no value.
+    Nothing,
 }
 
 impl Cell {
@@ -97,6 +99,7 @@ impl Cell {
             Self::Text(text) => text.clone(),
             Self::Number(value, decimals) => format!("{value:.decimals$}"),
             Self::Flag(flag) => (if *flag { "yes" } else { "" }).to_owned(),
+            Self::Nothing => "–".to_owned(),
         }
     }
 
@@ -105,6 +108,7 @@ impl Cell {
             Self::Number(value, _) => value.to_string(),
             Self::Flag(flag) => flag.to_string(),
             Self::Text(text) => text.clone(),
+            Self::Nothing => String::new(),
         }
     }
 
@@ -114,6 +118,7 @@ impl Cell {
             Self::Text(text) => Value::from(text.as_str()),
             Self::Number(value, _) => Value::from(*value),
             Self::Flag(flag) => Value::from(*flag),
+            Self::Nothing => Value::Null,
         }
     }
 }
@@ -202,21 +207,21 @@ mod tests {
     fn table() -> Table {
         let mut table = Table::new([("name", "name"), ("r", "r (lin_rec709)")]);
         table.push(vec!["a, “b”".into(), Cell::unit(1.0 / 3.0)]);
-        table.push(vec!["c".into(), Cell::unit(1.0)]);
+        table.push(vec!["c".into(), Cell::Nothing]);
         table
     }
 
     #[test]
     fn people_see_aligned_columns() {
-        assert_eq!(table().to_text(), "name    r (lin_rec709)\na, “b”        0.333333\nc             1.000000\n");
+        assert_eq!(table().to_text(), "name    r (lin_rec709)\na, “b”        0.333333\nc                    –\n");
     }
 
     #[test]
     fn machines_see_every_digit() {
-        assert_eq!(table().to_csv(), "name,r\n\"a, “b”\",0.3333333333333333\nc,1\n");
+        assert_eq!(table().to_csv(), "name,r\n\"a, “b”\",0.3333333333333333\nc,\n");
         assert_eq!(
             table().to_json(),
-            serde_json::json!([{ "name": "a, “b”", "r": 1.0 / 3.0 }, { "name": "c", "r": 1.0 }])
+            serde_json::json!([{ "name": "a, “b”", "r": 1.0 / 3.0 }, { "name": "c", "r": null }])
         );
     }
 }

@@ -4,22 +4,29 @@ use anyhow::bail;
 use clap::Args;
 use serde_json::json;
 
-use super::arguments::{self, Angles};
+use super::arguments::{self, Angles, Model};
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::source::{Material, Source, SourceArguments};
 use crate::color::Rgb;
-use crate::fresnel::{CosTheta, FresnelModel, ModelKind, t_from_r_h};
+use crate::fit::{Method, convert, fit};
+use crate::fresnel::{CosTheta, FresnelModel, ModelKind};
+use crate::metal::{Metal, SpectralModel};
 use crate::preset::pretty_json;
+use crate::spectrum::Quadrature;
 
 /// Arguments of `edgewise reflect`.
 #[derive(Debug, Args)]
 pub struct Reflect {
     #[command(flatten)]
     source: SourceArguments,
-    /// What computes the curve: spectral (the truth of a metal, its default), hoffman (the default of
-    /// colours), schlick, f82-tint or constant
+    /// What computes the curve: spectral (a metal's default), spectral-N for N wavelengths, hoffman (the
+    /// default otherwise), schlick, lazanyi, f82-tint, generalized-schlick, gulbrandsen, conductor or constant
+    #[arg(long, value_parser = arguments::model)]
+    model: Option<Model>,
+    /// How a metal's parameters are derived; `edgewise fit` lists the methods. Exact where the model has
+    /// exact parameters, otherwise least squares
     #[arg(long)]
-    model: Option<String>,
+    method: Option<Method>,
     /// Angles in degrees: first:last:step, or a list; “max” is 81.787°
     #[arg(long, default_value = "0:90:1", value_parser = arguments::angles, allow_hyphen_values = true)]
     angles: Angles,
@@ -29,40 +36,58 @@ pub struct Reflect {
 
 /// What computes the curve.
 enum Curve<'a> {
-    Spectral(&'a crate::metal::Metal),
-    Model(FresnelModel),
+    Spectral(&'a Metal),
+    FewWavelengths(usize, SpectralModel),
+    Model(FresnelModel, Option<Method>),
 }
 
 impl Reflect {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         let source = self.source.source()?;
-        let curve = self.curve(&source)?;
-        let rows: Vec<(f64, Rgb)> =
-            self.angles.0.iter().map(|&deg| (deg, curve.reflectance(CosTheta::from_deg(deg), &source))).collect();
+        let mut warnings = source.warnings.clone();
+        let curve = self.curve(&source, &mut warnings)?;
+        let reflectance = |&deg: &f64| (deg, curve.reflectance(CosTheta::from_deg(deg), &source));
+        let rows: Vec<(f64, Rgb)> = self.angles.0.iter().map(reflectance).collect();
         let text = match self.format.format() {
-            Format::Json => pretty_json(&curve.json(&source, &rows)),
+            Format::Json => pretty_json(&curve.json(&source, &rows, &warnings)),
             format => table(&source, &rows).render(format),
         };
-        Ok(Output { text, warnings: source.warnings, ..Output::default() })
+        Ok(Output { text, warnings, ..Output::default() })
     }
 
-    fn curve<'a>(&self, source: &'a Source) -> anyhow::Result<Curve<'a>> {
-        let model = match (self.model.as_deref(), &source.material) {
-            (None | Some("spectral"), Material::Measured(metal)) => return Ok(Curve::Spectral(metal)),
-            (Some("spectral"), Material::Colours { .. }) => {
+    fn curve<'a>(&self, source: &'a Source, warnings: &mut Vec<String>) -> anyhow::Result<Curve<'a>> {
+        match (&source.material, self.model) {
+            (Material::Measured(metal), None | Some(Model::Spectral)) => Ok(Curve::Spectral(metal)),
+            (Material::Measured(metal), Some(Model::FewWavelengths(count))) => {
+                let model = SpectralModel::new(metal, count, Quadrature::default(), source.space);
+                Ok(Curve::FewWavelengths(count, model))
+            }
+            (Material::Measured(metal), Some(Model::Rgb(kind))) => self.fitted(metal, kind, source, warnings),
+            (Material::Model(_), Some(Model::Spectral | Model::FewWavelengths(_))) => {
                 bail!("only a metal or a file of n and k has a spectrum; choose another --model")
             }
-            (None, Material::Colours { .. }) => ModelKind::Hoffman,
-            (Some(name), _) => name.parse::<ModelKind>()?,
-        };
-        let (r, h) = source.material.r_h(source.space);
-        Ok(Curve::Model(match model {
-            ModelKind::Constant => FresnelModel::Constant { r },
-            ModelKind::Schlick => FresnelModel::Schlick { r },
-            ModelKind::Hoffman => FresnelModel::Hoffman { r, h },
-            ModelKind::F82Tint => FresnelModel::F82Tint { r, t: r.zip(h, t_from_r_h) },
-            other => bail!("the model {other} has more parameters than r and h; fit them first"),
-        }))
+            (Material::Model(_), _) if self.method.is_some() => bail!("--method is for a metal or a file of n and k"),
+            (Material::Model(model), None) => Ok(Curve::Model(*model, None)),
+            (Material::Model(model), Some(Model::Rgb(kind))) => {
+                let conversion = convert(model, kind, source.space)?;
+                warnings.extend(conversion.losses.iter().map(ToString::to_string));
+                Ok(Curve::Model(conversion.model, None))
+            }
+        }
+    }
+
+    fn fitted<'a>(
+        &self,
+        metal: &Metal,
+        kind: ModelKind,
+        source: &Source,
+        warnings: &mut Vec<String>,
+    ) -> anyhow::Result<Curve<'a>> {
+        let best_known = if Method::Exact.applies_to(kind) { Method::Exact } else { Method::LeastSquares };
+        let method = self.method.unwrap_or(best_known);
+        let fit = fit(metal, kind, method, source.space)?;
+        warnings.extend(fit.losses.iter().map(ToString::to_string));
+        Ok(Curve::Model(fit.model, Some(method)))
     }
 }
 
@@ -70,18 +95,20 @@ impl Curve<'_> {
     fn reflectance(&self, angle: CosTheta, source: &Source) -> Rgb {
         match self {
             Self::Spectral(metal) => metal.reflectance(angle, source.space),
-            Self::Model(model) => model.reflectance(angle),
+            Self::FewWavelengths(_, model) => model.reflectance(angle),
+            Self::Model(model, _) => model.reflectance(angle),
         }
     }
 
-    fn json(&self, source: &Source, rows: &[(f64, Rgb)]) -> serde_json::Value {
-        let model = match self {
-            Self::Spectral(_) => json!({ "kind": "spectral" }),
-            Self::Model(model) => json!(model),
+    fn json(&self, source: &Source, rows: &[(f64, Rgb)], warnings: &[String]) -> serde_json::Value {
+        let (model, method) = match self {
+            Self::Spectral(_) => (json!({ "kind": "spectral" }), None),
+            Self::FewWavelengths(count, _) => (json!({ "kind": format!("spectral-{count}") }), None),
+            Self::Model(model, method) => (json!(model), *method),
         };
         let row = |(theta_deg, rgb): &(f64, Rgb)| json!({ "theta_deg": theta_deg, "red": rgb[0], "green": rgb[1], "blue": rgb[2] });
         json!({
-            "material": source.material.name(), "space": source.space, "model": model, "warnings": source.warnings,
+            "material": source.name, "space": source.space, "model": model, "method": method, "warnings": warnings,
             "curve": rows.iter().map(row).collect::<Vec<_>>(),
         })
     }

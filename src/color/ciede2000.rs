@@ -31,7 +31,9 @@ pub fn delta_e_2000(x: Lab, y: Lab) -> f64 {
     let rt = -rotation.sin() * 2.0 * saturation_of_chroma(c_mean);
 
     let (l, c, h) = (dl / sl, dc / sc, dh / sh);
-    (l * l + c * c + h * h + rt * c * h).max(0.0).sqrt()
+    let square = l * l + c * c + h * h + rt * c * h;
+    // Rounding can make it slightly negative; NaN stays NaN.
+    if square < 0.0 { 0.0 } else { square.sqrt() }
 }
 
 /// CIEDE2000 between two linear colours of one space, each relative to that space's white.
@@ -126,6 +128,12 @@ mod tests {
             let got = delta_e_2000(x, y);
             assert!((got - printed).abs() <= 5.1e-5, "pair {}: {got} instead of {printed}", index + 1);
         }
+    }
+
+    #[test]
+    fn what_is_no_colour_has_no_difference() {
+        assert!(delta_e_2000(lab(f64::NAN, 0.0, 0.0), lab(50.0, 0.0, 0.0)).is_nan());
+        assert!(delta_e_rgb(Rgb::splat(f64::NAN), Rgb::WHITE, RgbSpace::AcesCg).is_nan());
     }
 
     #[test]

@@ -5,10 +5,10 @@ use thiserror::Error;
 
 use super::Loss;
 use super::edge_tint::{Nearness, g_nearest};
-use super::metal_fit::r_with_index;
+use super::metal_fit::{r_g_of, r_with_index};
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{
-    CosTheta, FresnelModel, ModelKind, Nk, a_from_r_h, nk_from_r_g, r_g_from_nk, reachable_h, t_from_r_h, whole_degrees,
+    CosTheta, FresnelModel, ModelKind, Nk, a_from_r_h, nk_from_r_g, reachable_h, t_from_r_h, whole_degrees,
 };
 
 /// Parameters of another model for the same material, and how far its curve is from the original.
@@ -96,10 +96,8 @@ impl Original<'_> {
     fn gulbrandsen(&self, losses: &mut Vec<Loss>) -> FresnelModel {
         match *self.from {
             FresnelModel::Conductor { n, k } => {
-                let channels: [(f64, f64); 3] = std::array::from_fn(|i| r_g_from_nk(Nk { n: n[i], k: k[i] }));
-                // g leaves [0, 1] only by the rounding that `r_g_from_nk` speaks of.
-                let g = channels.map(|(_, g)| g.clamp(0.0, 1.0));
-                FresnelModel::Gulbrandsen { r: Rgb(channels.map(|(r, _)| r)), g: Rgb(g) }
+                let (r, g) = r_g_of(std::array::from_fn(|i| Nk { n: n[i], k: k[i] }), losses);
+                FresnelModel::Gulbrandsen { r, g }
             }
             _ => {
                 let r = r_with_index(self.r, 1.0, losses);
@@ -216,6 +214,12 @@ mod tests {
             for channel in 0..3 {
                 prop_assert!(distance(&back, &original, channel) <= 2.0 * distance(&there, &original, channel) + 1e-6);
             }
+        }
+
+        #[test]
+        fn from_n_k_a_lost_g_is_said(n in rgb(0.05..2.0), k in rgb(0.0..3.0)) {
+            let there = convert(&FresnelModel::Conductor { n, k }, ModelKind::Gulbrandsen, SPACE).unwrap();
+            prop_assert_eq!(there.max_difference < 1e-7, there.losses.is_empty(), "{:?}", there);
         }
 
         #[test]

@@ -16,6 +16,8 @@ pub enum Loss {
     RWithoutIndex { channel: usize, r: f64, used: f64 },
     /// A weighting with negative parts gave an index below zero, which stands for no material; zero is used.
     NegativeIndex { channel: usize, n: f64, k: f64 },
+    /// n and k with |n + i k| < 1 have a g above 1, which Gulbrandsen's formulas do not take; 1 is used.
+    GOutsideUnit { channel: usize, g: f64 },
     /// No g reaches the h of this channel; the nearest curve has g at an end of its range.
     HOutOfReach { channel: usize, h: f64, nearest_h: f64 },
     /// t is outside 0–1, which most fields that take a tint refuse.
@@ -39,6 +41,9 @@ impl fmt::Display for Loss {
             }
             Self::NegativeIndex { channel, n, k } => {
                 write!(f, "{}: n = {n:.4}, k = {k:.4} is no material; zero is used for what is negative", name(channel))
+            }
+            Self::GOutsideUnit { channel, g } => {
+                write!(f, "{}: n and k have g = {g:.4}, outside 0–1; the nearer end is used", name(channel))
             }
             Self::HOutOfReach { channel, h, nearest_h } => {
                 write!(f, "{}: no n and k reach h = {h:.4} at this r; the nearest is {nearest_h:.4}", name(channel))

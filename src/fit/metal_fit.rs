@@ -83,7 +83,8 @@ fn closed_form(
         (ModelKind::Gulbrandsen, Method::MinMax) => gulbrandsen_nearest(truth, Nearness::MinMax, losses),
         (ModelKind::Gulbrandsen, _) => {
             let channels = spectral_nk(metal, truth.space, method, losses);
-            gulbrandsen_with(r, losses, |channel, _| r_g_from_nk(channels[channel]).1.clamp(0.0, 1.0))
+            let (_, g) = r_g_of(channels, losses);
+            gulbrandsen_with(r, losses, |channel, _| g[channel])
         }
         (ModelKind::Conductor, _) => conductor_of(spectral_nk(metal, truth.space, method, losses)),
         _ => exact(kind, r, h),
@@ -182,6 +183,23 @@ fn nearest_nk(truth: &TruthCurve) -> [Nk; 3] {
     })
 }
 
+/// The (r, g) that a conductor's n and k stand for; a g outside its range is reported.
+pub(super) fn r_g_of(channels: [Nk; 3], losses: &mut Vec<Loss>) -> (Rgb, Rgb) {
+    let r_g = channels.map(r_g_from_nk);
+    let g = std::array::from_fn(|channel| {
+        let g = r_g[channel].1;
+        let used = g.clamp(0.0, 1.0);
+        if (used - g).abs() > ROUNDING_OF_G {
+            losses.push(Loss::GOutsideUnit { channel, g });
+        }
+        used
+    });
+    (Rgb(r_g.map(|(r, _)| r)), Rgb(g))
+}
+
+/// How far g leaves its range by rounding alone.
+const ROUNDING_OF_G: f64 = 1e-9;
+
 fn by_black_box(
     metal: &Metal,
     truth: &TruthCurve,
@@ -189,20 +207,25 @@ fn by_black_box(
     losses: &mut Vec<Loss>,
     keep_going: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<FresnelModel, Stopped> {
-    let nearest = by_least_squares(truth, kind, losses);
-    let mut starts = vec![nearest];
+    let search = black_box::smallest_mean_delta_e;
     match kind {
-        ModelKind::Constant | ModelKind::Schlick | ModelKind::Hoffman | ModelKind::F82Tint => {
-            starts.push(exact(kind, truth.r(), truth.h));
-        }
         ModelKind::Conductor => {
             let weighted = nk_by_colour_matching(metal, truth.space);
             let positive = |v: f64| v.max(SMALLEST_START);
-            starts.push(conductor_of(weighted.map(|nk| Nk { n: positive(nk.n), k: positive(nk.k) })));
+            let weighted = conductor_of(weighted.map(|nk| Nk { n: positive(nk.n), k: positive(nk.k) }));
+            search(&[by_least_squares(truth, kind, losses), weighted], truth, keep_going)
         }
-        ModelKind::Lazanyi | ModelKind::GeneralizedSchlick | ModelKind::Gulbrandsen => {}
+        ModelKind::F82Tint => match by_black_box(metal, truth, ModelKind::Hoffman, losses, keep_going)? {
+            FresnelModel::Hoffman { r, h } => Ok(exact(kind, r, h)),
+            other => Ok(other),
+        },
+        ModelKind::Constant | ModelKind::Schlick | ModelKind::Hoffman => {
+            search(&[by_least_squares(truth, kind, losses), exact(kind, truth.r(), truth.h)], truth, keep_going)
+        }
+        ModelKind::Lazanyi | ModelKind::GeneralizedSchlick | ModelKind::Gulbrandsen => {
+            search(&[by_least_squares(truth, kind, losses)], truth, keep_going)
+        }
     }
-    Ok(black_box::smallest_mean_delta_e(&starts, truth, keep_going)?.unwrap_or(nearest))
 }
 
 #[cfg(test)]
@@ -235,7 +258,7 @@ mod tests {
     #[test]
     fn searching_helps() {
         for name in ["gold", "iron", "caesium"] {
-            for kind in [ModelKind::Schlick, ModelKind::Hoffman, ModelKind::Conductor] {
+            for kind in [ModelKind::Schlick, ModelKind::Hoffman, ModelKind::Gulbrandsen] {
                 let fitted = mean(name, kind, Method::BlackBox);
                 for method in Method::of(kind) {
                     assert!(fitted <= mean(name, kind, method) + 1e-9, "{name} {kind} {method}");

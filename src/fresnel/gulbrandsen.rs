@@ -31,9 +31,14 @@ pub fn nk_from_r_g(r: f64, g: f64) -> Option<Nk> {
 
 /// r and g of a complex index: g = (n_max − n)/(n_max − n_min) (Gulbrandsen 2014, eqs. 5 and 7).
 ///
-/// n ≥ 0, k ≥ 0. g leaves `[0, 1]` by rounding at k = 0 and is not clamped. r = 0 (n = 1, k = 0) has g = 0.
+/// n ≥ 0, k ≥ 0. g is not clamped: it leaves `[0, 1]` by rounding at k = 0, and exceeds 1 for |n + i k| < 1, as in
+/// the alkali metals, because (1 − r)/(1 + r) is not the smallest n there is. r = 0 (n = 1, k = 0) has g = 0;
+/// n = 0 has r = 1 and, as the limit of n_min, g = 1.
 pub fn r_g_from_nk(Nk { n, k }: Nk) -> (f64, f64) {
     let r = normal_reflectance(n, k);
+    if n == 0.0 {
+        return (r, 1.0);
+    }
     let s = r.sqrt();
     let n_min = (1.0 - r) / (1.0 + r);
     let n_max = (1.0 + s) / (1.0 - s);
@@ -84,6 +89,19 @@ mod tests {
             let (r, g) = r_g_from_nk(Nk { n, k });
             assert!((r - r_want).abs() < 1e-4 && (g - g_want).abs() < 1e-4, "{r} {g}");
         }
+    }
+
+    /// Caesium near 450 nm (Smith 1970): |n + i k| < 1.
+    #[test]
+    fn alkali_metals_exceed_the_range_of_g() {
+        let (r, g) = r_g_from_nk(Nk { n: 0.327, k: 0.608 });
+        assert!(g > 1.0 && g < 1.2, "{g}");
+        assert_eq!(nk_from_r_g(r, g), None);
+    }
+
+    #[test]
+    fn no_index_is_a_mirror_without_dip() {
+        assert_eq!(r_g_from_nk(Nk { n: 0.0, k: 1.3 }), (1.0, 1.0));
     }
 
     #[test]

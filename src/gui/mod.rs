@@ -1,1 +1,29 @@
-//! The window.
+//! The window: a shell over the library.
+//!
+//! A frame polls the jobs, shows the panels, applies what was asked and feeds the history. Panels that edit
+//! take the preset, panels that show take the [`State`]; what has a menu entry or a key is a [`Command`].
+//! Work that would hold up a frame is a `Job`. Colours and sizes are in `theme` alone.
+
+mod app;
+mod command;
+mod document;
+mod file_dialog;
+mod history;
+mod job;
+mod panels;
+mod prompt;
+mod renderer;
+mod run;
+mod spheres;
+mod state;
+mod theme;
+mod truth;
+mod warnings;
+mod widgets;
+
+pub use app::App;
+pub use command::Command;
+pub use document::Document;
+pub use renderer::Renderer;
+pub use run::{Options, WindowError, run};
+pub use state::State;

@@ -12,6 +12,11 @@ pub(super) struct Orientation {
 }
 
 impl Orientation {
+    /// Transposed first, then counted from the right, then from the bottom.
+    pub const fn new(is_transposed: bool, flips_x: bool, flips_y: bool) -> Self {
+        Self { is_transposed, flips_x, flips_y }
+    }
+
     /// The orientation of an EXIF value; `None` outside 1–8.
     pub const fn from_exif(value: u32) -> Option<Self> {
         let (is_transposed, flips_x, flips_y) = match value {

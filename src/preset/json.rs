@@ -8,7 +8,7 @@ use serde_json::{Map, Number, Value};
 /// Objects and arrays inside one another; a preset with a recipe needs seven.
 pub(super) const DEEPEST_NESTING: usize = 32;
 /// What is nested goes on one line where the line stays within this many characters.
-const LINE_WIDTH: usize = 100;
+const LINE_WIDTH: usize = 120;
 
 /// Reads one JSON value. Unlike `serde_json::from_str` it refuses an object that gives a key twice.
 pub(super) fn read(text: &str) -> Result<Value, serde_json::Error> {
@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn short_lists_stay_on_one_line_and_the_document_does_not() {
         let value =
-            serde_json::json!({ "r": [1.04, 0.1, 5e-324], "empty": {}, "long": ["x".repeat(60), "y".repeat(60)] });
+            serde_json::json!({ "r": [1.04, 0.1, 5e-324], "empty": {}, "long": ["x".repeat(70), "y".repeat(70)] });
         let text = pretty_json(&value);
         assert!(
             text.starts_with("{\n  \"r\": [1.04, 0.1, 5e-324],\n  \"empty\": {},\n  \"long\": [\n    \"xx"),

@@ -8,7 +8,7 @@ mod library;
 mod unknown;
 
 pub use document::{Origin, Preset};
-pub use file::{FileProblem, TextFileError, read_text, replace_file};
+pub use file::PresetFileError;
 pub use format::{FormatError, Loaded, PRESET_FORMAT};
 pub use json::pretty_json;
 pub use library::{built_in_presets, presets_from_metals};

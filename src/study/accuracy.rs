@@ -7,8 +7,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::Candidate;
+use super::candidate::SpectralWeights;
 use crate::color::RgbSpace;
-use crate::fit::{FitError, Stopped};
+use crate::fit::{CurveError, FitError, Loss, Stopped};
 use crate::metal::{Metal, SpectralCurve, TruthCurve};
 
 /// One cell of the study: a metal, a space and a contestant. The field names are stable.
@@ -51,51 +52,66 @@ pub fn accuracy(
     spaces: &[RgbSpace],
     progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<AccuracyRow>, Stopped> {
-    let meter = Meter::new(metals.len() * candidates.len() * spaces.len(), progress);
-    let of_metal = |metal: &&Metal| rows_of(metal, candidates, spaces, &meter);
-    let rows: Result<Vec<Vec<AccuracyRow>>, Stopped> = metals.par_iter().map(of_metal).collect();
+    let run = Run {
+        candidates,
+        spaces,
+        weights: SpectralWeights::new(candidates, spaces),
+        meter: Meter::new(metals.len() * candidates.len() * spaces.len(), progress),
+    };
+    let rows: Result<Vec<Vec<AccuracyRow>>, Stopped> = metals.par_iter().map(|metal| run.rows_of(metal)).collect();
     Ok(rows?.into_iter().flatten().collect())
 }
 
-fn rows_of(
-    metal: &Metal,
-    candidates: &[Candidate],
-    spaces: &[RgbSpace],
-    meter: &Meter,
-) -> Result<Vec<AccuracyRow>, Stopped> {
-    let spectral = SpectralCurve::of(metal);
-    let mut rows = Vec::with_capacity(candidates.len() * spaces.len());
-    for &space in spaces {
-        let truth = spectral.truth(space);
-        for &candidate in candidates {
-            rows.extend(row(metal, &truth, candidate, meter)?);
-            meter.one_more()?;
-        }
-    }
-    Ok(rows)
+/// What all metals of a study share.
+struct Run<'a> {
+    candidates: &'a [Candidate],
+    spaces: &'a [RgbSpace],
+    weights: SpectralWeights,
+    meter: Meter<'a>,
 }
 
-/// `None` for a candidate whose method does not fit its model: there is nothing to measure.
-fn row(metal: &Metal, truth: &TruthCurve, candidate: Candidate, meter: &Meter) -> Result<Option<AccuracyRow>, Stopped> {
-    let (error, losses) = match candidate.measure(metal, truth, &mut || meter.keep_going()) {
-        Ok(measured) => measured,
-        Err(FitError::Stopped(stopped)) => return Err(stopped),
-        Err(FitError::NotForThisModel { .. }) => return Ok(None),
-    };
-    Ok(Some(AccuracyRow {
-        metal: metal.id.clone(),
-        name: metal.name.clone(),
-        category: metal.category.clone(),
-        space: truth.space,
-        model: candidate.model_id(),
-        method: candidate.method_id(),
-        mean_delta_e: error.mean_delta_e,
-        max_delta_e: error.max_delta_e,
-        angle_of_max_deg: error.angle_of_max_deg,
-        sphere_delta_e: error.sphere_delta_e,
-        losses: losses.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
-        candidate,
-    }))
+impl Run<'_> {
+    fn rows_of(&self, metal: &Metal) -> Result<Vec<AccuracyRow>, Stopped> {
+        let spectral = SpectralCurve::of(metal);
+        let mut rows = Vec::with_capacity(self.candidates.len() * self.spaces.len());
+        for &space in self.spaces {
+            let truth = spectral.truth(space);
+            for &candidate in self.candidates {
+                rows.extend(self.row(metal, &truth, candidate)?);
+                self.meter.one_more()?;
+            }
+        }
+        Ok(rows)
+    }
+
+    /// `None` for a candidate whose method does not fit its model: there is nothing to measure.
+    fn row(&self, metal: &Metal, truth: &TruthCurve, candidate: Candidate) -> Result<Option<AccuracyRow>, Stopped> {
+        let measured = candidate.measure(metal, truth, &self.weights, &mut || self.meter.keep_going());
+        match measured {
+            Ok((error, losses)) => Ok(Some(AccuracyRow::new(metal, truth.space, candidate, error, &losses))),
+            Err(FitError::Stopped(stopped)) => Err(stopped),
+            Err(FitError::NotForThisModel { .. }) => Ok(None),
+        }
+    }
+}
+
+impl AccuracyRow {
+    fn new(metal: &Metal, space: RgbSpace, candidate: Candidate, error: CurveError, losses: &[Loss]) -> Self {
+        Self {
+            metal: metal.id.clone(),
+            name: metal.name.clone(),
+            category: metal.category.clone(),
+            space,
+            model: candidate.model_id(),
+            method: candidate.method_id(),
+            mean_delta_e: error.mean_delta_e,
+            max_delta_e: error.max_delta_e,
+            angle_of_max_deg: error.angle_of_max_deg,
+            sphere_delta_e: error.sphere_delta_e,
+            losses: losses.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+            candidate,
+        }
+    }
 }
 
 /// Counts finished rows for all threads and remembers that someone said stop.

@@ -7,7 +7,7 @@ use crate::color::{RgbSpace, UnknownName};
 use crate::fit::{CurveError, FitError, Loss, Method, delta_e_over_degrees, fit_to_truth};
 use crate::fresnel::{ModelKind, whole_degrees};
 use crate::metal::{Metal, SpectralModel, TruthCurve};
-use crate::spectrum::Quadrature;
+use crate::spectrum::{FewWavelengths, Quadrature};
 
 /// A contestant of the accuracy study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -83,28 +83,39 @@ impl Candidate {
         self,
         metal: &Metal,
         truth: &TruthCurve,
+        weights: &SpectralWeights,
         keep_going: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<(CurveError, Vec<Loss>), FitError> {
         match self {
             Self::Model(kind, method) => {
                 fit_to_truth(metal, truth, kind, method, keep_going).map(|fit| (fit.error, fit.losses))
             }
-            Self::Spectral(count, quadrature) => {
-                Ok((error_of_spectral(metal, truth, count, quadrature, truth.space), Vec::new()))
+            Self::Spectral(..) => {
+                let model = SpectralModel::with_wavelengths(metal, weights.of(self, truth.space));
+                let curve = whole_degrees().map(|cos_theta| model.reflectance(cos_theta));
+                Ok((CurveError::over_degrees(delta_e_over_degrees(curve, truth)), Vec::new()))
             }
         }
     }
 }
 
-fn error_of_spectral(
-    metal: &Metal,
-    truth: &TruthCurve,
-    count: usize,
-    quadrature: Quadrature,
-    space: RgbSpace,
-) -> CurveError {
-    let model = SpectralModel::new(metal, count, quadrature, space);
-    CurveError::over_degrees(delta_e_over_degrees(whole_degrees().map(|c| model.reflectance(c)), truth))
+/// The weights of the spectral candidates, computed once for all metals.
+pub(super) struct SpectralWeights(Vec<(Candidate, RgbSpace, FewWavelengths)>);
+
+impl SpectralWeights {
+    pub(super) fn new(candidates: &[Candidate], spaces: &[RgbSpace]) -> Self {
+        let pairs = candidates.iter().flat_map(|candidate| spaces.iter().map(move |space| (*candidate, *space)));
+        let weights = pairs.filter_map(|(candidate, space)| match candidate {
+            Candidate::Spectral(n, quadrature) => Some((candidate, space, FewWavelengths::new(n, quadrature, space))),
+            Candidate::Model(..) => None,
+        });
+        Self(weights.collect())
+    }
+
+    fn of(&self, candidate: Candidate, space: RgbSpace) -> FewWavelengths {
+        let found = self.0.iter().find(|(c, s, _)| (*c, *s) == (candidate, space));
+        found.map(|(_, _, weights)| weights.clone()).expect("made from the same candidates and spaces")
+    }
 }
 
 impl fmt::Display for Candidate {

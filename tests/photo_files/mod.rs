@@ -110,3 +110,84 @@ pub fn exr_with(
     image.write().to_buffered(&mut bytes).unwrap();
     bytes.into_inner()
 }
+
+/// A WebP without loss.
+pub fn webp(
+    size: [u32; 2],
+    data: &[u8],
+    color: ExtendedColorType,
+    profile: Option<&[u8]>,
+    exif: Option<&[u8]>,
+) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut bytes);
+    profile.map(|profile| encoder.set_icc_profile(profile.to_vec()).unwrap());
+    exif.map(|exif| encoder.set_exif_metadata(exif.to_vec()).unwrap());
+    encoder.write_image(data, size[0], size[1], color).unwrap();
+    bytes
+}
+
+/// A TIFF of one strip made by hand, little-endian and uncompressed; further tags as lists of longs.
+pub fn tiff(size: [u32; 2], bits: &[u32], format: u32, data: &[u8], more: &[(u16, Vec<u32>)]) -> Vec<u8> {
+    let photometric = if bits.len() < 3 { 1 } else { 2 };
+    let mut tags = vec![
+        (256, vec![size[0]]),
+        (257, vec![size[1]]),
+        (258, bits.to_vec()),
+        (259, vec![1]),
+        (262, vec![photometric]),
+        (273, vec![8]),
+        (277, vec![bits.len() as u32]),
+        (278, vec![size[1]]),
+        (279, vec![data.len() as u32]),
+        (339, vec![format; bits.len()]),
+    ];
+    tags.retain(|(tag, _)| more.iter().all(|(other, _)| other != tag));
+    tags.extend_from_slice(more);
+    tags.sort();
+    tiff_of_tags(data, &tags)
+}
+
+/// Data at offset 8, then one directory, then what does not fit into it.
+fn tiff_of_tags(data: &[u8], tags: &[(u16, Vec<u32>)]) -> Vec<u8> {
+    let start = 8 + data.len().next_multiple_of(2);
+    let mut bytes = b"II\x2a\x00".to_vec();
+    bytes.extend((start as u32).to_le_bytes());
+    bytes.extend(data);
+    bytes.resize(start, 0);
+    let mut outside = Vec::new();
+    let outside_start = start + 2 + 12 * tags.len() + 4;
+    bytes.extend((tags.len() as u16).to_le_bytes());
+    for (tag, values) in tags {
+        // Primaries and white are rationals, profiles are bytes, extra samples are shorts, all else is longs.
+        let (kind, count) = match tag {
+            318 | 319 => (5u16, values.len() / 2),
+            34_675 => (7, values.len()),
+            338 => (3, values.len()),
+            _ => (4, values.len()),
+        };
+        let content: Vec<u8> = match kind {
+            7 => values.iter().map(|v| *v as u8).collect(),
+            3 => values.iter().flat_map(|v| (*v as u16).to_le_bytes()).collect(),
+            _ => values.iter().flat_map(|v| v.to_le_bytes()).collect(),
+        };
+        bytes.extend([tag.to_le_bytes(), kind.to_le_bytes()].concat());
+        bytes.extend((count as u32).to_le_bytes());
+        if content.len() <= 4 {
+            bytes.extend(content.iter().chain(&[0; 4]).take(4));
+        } else {
+            bytes.extend(((outside_start + outside.len()) as u32).to_le_bytes());
+            outside.extend(content);
+        }
+    }
+    bytes.extend([0; 4]);
+    bytes.extend(outside);
+    bytes
+}
+
+/// A Radiance HDR of one scanline per row without compression; each pixel is red, green, blue, exponent.
+pub fn hdr(variables: &str, resolution: &str, rgbe: &[[u8; 4]]) -> Vec<u8> {
+    let mut bytes = format!("#?RADIANCE\n{variables}FORMAT=32-bit_rle_rgbe\n\n{resolution}\n").into_bytes();
+    bytes.extend(rgbe.as_flattened());
+    bytes
+}

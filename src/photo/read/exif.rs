@@ -1,6 +1,6 @@
 //! What EXIF says of orientation and colour.
 
-use exif::{In, Reader, Tag, Value};
+use ::exif::{In, Reader, Tag, Value};
 
 use super::colour::Claim;
 use crate::photo::orientation::Orientation;
@@ -25,7 +25,7 @@ impl Exif {
         }
     }
 
-    fn of(exif: &exif::Exif) -> Self {
+    fn of(exif: &::exif::Exif) -> Self {
         let number = |tag| exif.get_field(tag, In::PRIMARY).and_then(|field| field.value.get_uint(0));
         let index = exif.get_field(Tag::InteroperabilityIndex, In::PRIMARY).map(|field| &field.value);
         let is_r03 = matches!(index, Some(Value::Ascii(texts)) if texts.first().is_some_and(|t| t.starts_with(b"R03")));

@@ -8,11 +8,15 @@ mod cicp;
 mod colour;
 mod exif;
 mod exr;
+mod hdr;
 mod icc;
 mod jpeg;
 mod limits;
 mod png;
+mod raw;
 mod sniff;
+mod tiff;
+mod webp;
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -92,6 +96,9 @@ fn decode(
         Format::Png => png::decode(bytes, progress),
         Format::Jpeg => jpeg::decode(bytes, progress),
         Format::Exr => exr::decode(bytes, options.layer.as_deref(), progress),
+        Format::Tiff => tiff::decode(bytes, progress),
+        Format::WebP => webp::decode(bytes, progress),
+        Format::Hdr => hdr::decode(bytes, progress),
     };
     catch_unwind(AssertUnwindSafe(decode))
         .unwrap_or_else(|_| Err(PhotoErrorKind::damaged(format.label())(&"its decoder gave up")))
@@ -119,7 +126,7 @@ fn report(progress: Progress<'_>, done: usize, all: usize) -> Result<(), PhotoEr
     }
 }
 
-/// The warning that one picture of several was read.
-fn first_of(count: usize, what: &str) -> Warning {
-    Warning::new(WarningCode::Animated, format!("The file holds {count} {what}; the first one was read"))
+/// The warning that the first of several pictures was read.
+fn several(what: &str) -> Warning {
+    Warning::new(WarningCode::Animated, format!("The file holds several {what}; the first one was read"))
 }

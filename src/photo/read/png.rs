@@ -2,18 +2,18 @@
 
 use std::io::Cursor;
 
-use png::{BitDepth, Decoder, Info, Transformations};
+use ::png::{BitDepth, Decoder, Info, Transformations};
 
 use super::alpha::Opaque;
 use super::colour::{Claim, Colour, Primaries};
 use super::exif::Exif;
-use super::{Decoded, Progress, first_of, limits, report};
+use super::{Decoded, Progress, limits, report, several};
 use crate::photo::PhotoErrorKind;
 use crate::photo::samples::Samples;
 
-type Reader<'a> = png::Reader<Cursor<&'a [u8]>>;
+type Reader<'a> = ::png::Reader<Cursor<&'a [u8]>>;
 
-fn damaged(error: png::DecodingError) -> PhotoErrorKind {
+fn damaged(error: ::png::DecodingError) -> PhotoErrorKind {
     PhotoErrorKind::damaged("PNG")(&error)
 }
 
@@ -51,8 +51,8 @@ pub(super) fn decode(bytes: &[u8], progress: Progress<'_>) -> Result<Decoded, Ph
     let info = reader.info();
     let exif = Exif::read(info.exif_metadata.as_deref());
     let colour = Colour { claims: claims(info, bytes) };
-    let frames = info.animation_control.map_or(1, |control| control.num_frames as usize);
-    let animated = (frames > 1).then(|| first_of(frames, "frames of an animation"));
+    let frames = info.animation_control.map_or(1, |control| control.num_frames);
+    let animated = (frames > 1).then(|| several("frames"));
     let warnings = animated.into_iter().chain(alpha).chain(exif.warning).collect();
     Ok(Decoded { samples, channels: colours, size, orientation: exif.orientation, colour, layers: vec![], warnings })
 }
@@ -107,8 +107,8 @@ fn claims(info: &Info<'_>, bytes: &[u8]) -> Vec<Claim> {
 }
 
 /// Chunks hold 100 000 times the value.
-fn primaries(chrm: png::SourceChromaticities) -> Primaries {
-    let xy = |(x, y): (png::ScaledFloat, png::ScaledFloat)| [x, y].map(|v| f64::from(v.into_scaled()) / 1e5);
+fn primaries(chrm: ::png::SourceChromaticities) -> Primaries {
+    let xy = |(x, y): (::png::ScaledFloat, ::png::ScaledFloat)| [x, y].map(|v| f64::from(v.into_scaled()) / 1e5);
     Primaries::from_xy([chrm.red, chrm.green, chrm.blue, chrm.white].map(xy))
 }
 

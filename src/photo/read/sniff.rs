@@ -1,5 +1,6 @@
 //! Which format a file is, by its content; raw files also by their name.
 
+use super::raw;
 use crate::photo::PhotoErrorKind;
 
 /// A format that is read.
@@ -8,6 +9,9 @@ pub(super) enum Format {
     Png,
     Jpeg,
     Exr,
+    Tiff,
+    WebP,
+    Hdr,
 }
 
 impl Format {
@@ -17,78 +21,34 @@ impl Format {
             Self::Png => "PNG",
             Self::Jpeg => "JPEG",
             Self::Exr => "OpenEXR",
+            Self::Tiff => "TIFF",
+            Self::WebP => "WebP",
+            Self::Hdr => "Radiance HDR",
         }
     }
 }
 
-/// Extensions of camera raw files.
-const RAW_EXTENSIONS: [(&str, &str); 24] = [
-    ("3fr", "Hasselblad 3FR"),
-    ("arw", "Sony ARW"),
-    ("cr2", "Canon CR2"),
-    ("cr3", "Canon CR3"),
-    ("crw", "Canon CRW"),
-    ("dcr", "Kodak DCR"),
-    ("dng", "DNG"),
-    ("erf", "Epson ERF"),
-    ("fff", "Hasselblad FFF"),
-    ("iiq", "Phase One IIQ"),
-    ("kdc", "Kodak KDC"),
-    ("mef", "Mamiya MEF"),
-    ("mos", "Leaf MOS"),
-    ("mrw", "Minolta MRW"),
-    ("nef", "Nikon NEF"),
-    ("nrw", "Nikon NRW"),
-    ("orf", "Olympus ORF"),
-    ("pef", "Pentax PEF"),
-    ("raf", "Fujifilm RAF"),
-    ("raw", "RAW"),
-    ("rw2", "Panasonic RW2"),
-    ("rwl", "Leica RWL"),
-    ("srw", "Samsung SRW"),
-    ("x3f", "Sigma X3F"),
-];
-
 /// The format of a file, or why it is not read.
 pub(super) fn format(name: &str, bytes: &[u8]) -> Result<Format, PhotoErrorKind> {
-    let starts = |magic: &[u8]| bytes.starts_with(magic);
-    match bytes {
-        _ if starts(b"\x89PNG\r\n\x1a\n") => Ok(Format::Png),
-        _ if starts(b"\xff\xd8\xff") => Ok(Format::Jpeg),
-        _ if starts(&[0x76, 0x2f, 0x31, 0x01]) => Ok(Format::Exr),
-        _ => Err(refusal(name, bytes)),
-    }
-}
-
-fn refusal(name: &str, bytes: &[u8]) -> PhotoErrorKind {
-    match raw_by_content(bytes).or_else(|| raw_by_name(name)) {
-        Some(raw) => PhotoErrorKind::Raw(raw),
-        None => other(bytes).map_or(PhotoErrorKind::UnknownFormat, PhotoErrorKind::OtherFormat),
-    }
-}
-
-fn raw_by_name(name: &str) -> Option<&'static str> {
-    let (_, extension) = name.rsplit_once('.')?;
-    let known = RAW_EXTENSIONS.iter().find(|(known, _)| extension.eq_ignore_ascii_case(known));
-    known.map(|(_, label)| *label)
-}
-
-/// Raw formats with a signature of their own.
-fn raw_by_content(bytes: &[u8]) -> Option<&'static str> {
     let at = |offset: usize, magic: &[u8]| bytes.get(offset..).is_some_and(|rest| rest.starts_with(magic));
-    let signatures: [(usize, &[u8], &'static str); 10] = [
-        (8, b"CR\x02\x00", "Canon CR2"),
-        (4, b"ftypcrx ", "Canon CR3"),
-        (6, b"HEAPCCDR", "Canon CRW"),
-        (0, b"FUJIFILMCCD-RAW", "Fujifilm RAF"),
-        (0, b"IIRO", "Olympus ORF"),
-        (0, b"IIRS", "Olympus ORF"),
-        (0, b"MMOR", "Olympus ORF"),
-        (0, b"IIU\x00", "Panasonic RW2"),
-        (0, b"\x00MRM", "Minolta MRW"),
-        (0, b"FOVb", "Sigma X3F"),
-    ];
-    signatures.iter().find(|(offset, magic, _)| at(*offset, magic)).map(|(_, _, label)| *label)
+    let is_tiff = [b"II\x2a\x00", b"MM\x00\x2a", b"II\x2b\x00", b"MM\x00\x2b"].iter().any(|magic| at(0, *magic));
+    if at(0, b"\x89PNG\r\n\x1a\n") {
+        Ok(Format::Png)
+    } else if at(0, b"\xff\xd8\xff") {
+        Ok(Format::Jpeg)
+    } else if at(0, &[0x76, 0x2f, 0x31, 0x01]) {
+        Ok(Format::Exr)
+    } else if at(0, b"RIFF") && at(8, b"WEBP") {
+        Ok(Format::WebP)
+    } else if at(0, b"#?RADIANCE") || at(0, b"#?RGBE") {
+        Ok(Format::Hdr)
+    } else if let Some(raw) = raw::by_content(bytes).or_else(|| raw::by_name(name)) {
+        Err(PhotoErrorKind::Raw(raw))
+    } else if is_tiff {
+        Ok(Format::Tiff)
+    } else {
+        Err(other(bytes).map_or(PhotoErrorKind::UnknownFormat, PhotoErrorKind::OtherFormat))
+    }
 }
 
 /// Pictures that other programs read.

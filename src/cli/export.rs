@@ -1,0 +1,125 @@
+//! `edgewise export`: presets as files for renderers.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use clap::Args;
+use serde_json::json;
+
+use super::output::{Cell, Format, FormatArguments, Output, Table};
+use crate::color::RgbSpace;
+use crate::export::{Exported, Options, Target, export_all};
+use crate::file::replace_file;
+use crate::metal::metal_by_name;
+use crate::preset::{Preset, pretty_json};
+
+/// Arguments of `edgewise export`.
+#[derive(Debug, Args)]
+pub struct Export {
+    /// Preset files
+    #[arg(required_unless_present_any = ["metal", "list"])]
+    presets: Vec<PathBuf>,
+    /// A metal of the library by its exact r and h; may be given again
+    #[arg(long, value_name = "ID")]
+    metal: Vec<String>,
+    /// What to write; may be given again. --list says what there is
+    #[arg(long = "to", value_name = "TARGET", required_unless_present = "list")]
+    targets: Vec<Target>,
+    /// The working space of the reader; lin_rec709 unless given
+    #[arg(long)]
+    space: Option<RgbSpace>,
+    /// The folder to write into; created where missing
+    #[arg(long, short, value_name = "DIR", default_value = ".")]
+    output: PathBuf,
+    /// List the targets with what their readers do
+    #[arg(long)]
+    list: bool,
+    #[command(flatten)]
+    format: FormatArguments,
+}
+
+impl Export {
+    pub(super) fn run(self) -> anyhow::Result<Output> {
+        if self.list {
+            return Ok(Output { text: targets().render(self.format.format()), ..Output::default() });
+        }
+        let (presets, mut warnings) = self.presets()?;
+        let exports = self.exports(&presets)?;
+        std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
+        for file in exports.iter().flat_map(|(_, exported)| &exported.files) {
+            replace_file(&self.output.join(&file.name), &file.bytes)?;
+        }
+        warnings.extend(exports.iter().flat_map(|(target, exported)| sentences(*target, exported)));
+        let text = match self.format.format() {
+            Format::Json => pretty_json(&exports.iter().map(|export| self.document(export)).collect()),
+            format => self.table(&exports).render(format),
+        };
+        Ok(Output { text, warnings, ..Output::default() })
+    }
+
+    fn presets(&self) -> anyhow::Result<(Vec<Preset>, Vec<String>)> {
+        let (mut presets, mut warnings) = (Vec::new(), Vec::new());
+        for path in &self.presets {
+            let loaded = Preset::load(path)?;
+            presets.push(loaded.preset);
+            warnings.extend(loaded.warnings);
+        }
+        for name in &self.metal {
+            presets.push(Preset::from_metal(metal_by_name(name)?, self.space.unwrap_or_default()));
+        }
+        Ok((presets, warnings))
+    }
+
+    /// Everything is made before anything is written: an error leaves no half of a batch.
+    fn exports(&self, presets: &[Preset]) -> anyhow::Result<Vec<(Target, Exported)>> {
+        let options = Options { space: self.space };
+        self.targets.iter().map(|&target| Ok((target, export_all(presets, target, &options)?))).collect()
+    }
+
+    fn path(&self, name: &str) -> String {
+        let folder = if self.output == Path::new(".") { Path::new("") } else { &self.output };
+        folder.join(name).display().to_string()
+    }
+
+    fn table(&self, exports: &[(Target, Exported)]) -> Table {
+        let mut table = Table::new([("target", "target"), ("file", "file"), ("bytes", "bytes")]);
+        for (target, exported) in exports {
+            for file in &exported.files {
+                let bytes = Cell::Number(file.bytes.len() as f64, 0);
+                table.push(vec![target.id().into(), Cell::Text(self.path(&file.name)), bytes]);
+            }
+        }
+        table
+    }
+
+    fn document(&self, (target, exported): &(Target, Exported)) -> serde_json::Value {
+        let files: Vec<String> = exported.files.iter().map(|file| self.path(&file.name)).collect();
+        let warnings: Vec<String> = sentences(*target, exported).collect();
+        json!({ "target": target.id(), "files": files, "losses": exported.losses, "warnings": warnings })
+    }
+}
+
+fn sentences(target: Target, exported: &Exported) -> impl Iterator<Item = String> {
+    exported.losses.iter().map(move |loss| format!("{target}: {loss}"))
+}
+
+fn targets() -> Table {
+    let mut table = Table::new([
+        ("target", "target"),
+        ("label", "writes"),
+        ("extension", "extension"),
+        ("spaces", "spaces"),
+        ("note", "what its readers do"),
+    ]);
+    for target in Target::ALL {
+        let spaces: Vec<&str> = target.spaces().iter().map(|space| space.id()).collect();
+        table.push(vec![
+            target.id().into(),
+            target.label().into(),
+            target.extension().into(),
+            Cell::Text(spaces.join(" ")),
+            target.note().into(),
+        ]);
+    }
+    table
+}

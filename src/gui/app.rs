@@ -1,0 +1,328 @@
+//! The frame: poll jobs, show panels, apply what was asked, feed the history.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, ThemePreference, Ui, ViewportCommand, gui_zoom};
+
+use super::command::{Action, Command};
+use super::document::Document;
+use super::file_dialog::{FileDialog, Outcome, Purpose};
+use super::history::STABLE_SECONDS;
+use super::job::{Job, Poll};
+use super::prompt::{Among, Answer, Prompt};
+use super::state::{NoticeKind, State};
+use super::{panels, theme};
+use crate::color::Rgb;
+use crate::metal::metal_by_name;
+use crate::preset::Preset;
+
+/// The window.
+pub struct App {
+    state: State,
+    prompt: Option<Prompt>,
+    dialog: Option<FileDialog>,
+    loading: Option<Job<PathBuf, Result<Loaded, String>>>,
+    saving: Option<Job<Saving, Result<(), String>>>,
+    /// What was asked before the preset had to be saved.
+    after_saving: Option<Action>,
+    may_close: bool,
+}
+
+type Loaded = (Preset, Vec<String>);
+
+#[derive(Clone)]
+struct Saving {
+    preset: Preset,
+    path: PathBuf,
+}
+
+impl App {
+    /// A window on a new preset, or on the file at `path`.
+    pub fn new(ctx: &Context, path: Option<PathBuf>) -> Self {
+        theme::install(ctx);
+        let mut app = Self {
+            state: State::new(Preset::new_authored()),
+            prompt: None,
+            dialog: None,
+            loading: None,
+            saving: None,
+            after_saving: None,
+            may_close: false,
+        };
+        app.state.view.metal = metal_by_name("gold").ok();
+        if let Some(path) = path {
+            app.load(ctx, path);
+        }
+        app
+    }
+
+    /// What the window shows.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// True while a job is at work.
+    pub fn is_busy(&self) -> bool {
+        self.loading.is_some() || self.saving.is_some() || self.dialog.is_some() || self.state.spheres.is_busy()
+    }
+
+    fn perform(&mut self, ctx: &Context, action: Action) {
+        if self.state.document.is_changed() && loses_changes(&action) {
+            self.prompt = Some(Prompt::Unsaved(action));
+        } else {
+            self.apply(ctx, action);
+        }
+    }
+
+    /// Does what was asked, whatever is lost.
+    fn apply(&mut self, ctx: &Context, action: Action) {
+        match action {
+            Action::Run(command) => self.run(ctx, command),
+            Action::Load(path) => self.load(ctx, path),
+            Action::SaveTo(path) => self.save(ctx, path),
+            Action::StartFrom(metal) => {
+                let space = self.state.document.space();
+                self.state.document = Document::new(Preset::from_metal(metal, space), None);
+                self.state.view.metal = Some(metal);
+            }
+            Action::CompareWith(metal) => self.state.view.metal = Some(metal),
+        }
+    }
+
+    fn run(&mut self, ctx: &Context, command: Command) {
+        match command {
+            Command::New => self.state.document = Document::new(Preset::new_authored(), None),
+            Command::Open => self.ask_system(ctx, Purpose::Open),
+            Command::OpenPath => self.ask_path(Purpose::Open, None),
+            Command::NewFromMetal => self.prompt = Some(Prompt::find(Among::MetalsToStartFrom)),
+            Command::Save => match self.state.document.file().map(Path::to_owned) {
+                Some(path) => self.save(ctx, path),
+                None => self.ask_system(ctx, Purpose::Save),
+            },
+            Command::SaveAs => self.ask_system(ctx, Purpose::Save),
+            Command::SavePath => self.ask_path(Purpose::Save, None),
+            Command::Quit => {
+                self.may_close = true;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
+            Command::Undo => self.state.document.undo(),
+            Command::Redo => self.state.document.redo(),
+            Command::CopyR => ctx.copy_text(linear_words(self.state.document.preset.r)),
+            Command::CopyH => ctx.copy_text(linear_words(self.state.document.preset.h)),
+            Command::Compare => self.prompt = Some(Prompt::find(Among::MetalsToCompare)),
+            Command::CompareNone => self.state.view.metal = None,
+            Command::ToggleGrazing => self.state.view.is_grazing_only ^= true,
+            Command::ToggleTheme => {
+                let is_dark = ctx.theme() == eframe::egui::Theme::Dark;
+                ctx.set_theme(if is_dark { ThemePreference::Light } else { ThemePreference::Dark });
+            }
+            Command::ZoomIn => gui_zoom::zoom_in(ctx),
+            Command::ZoomOut => gui_zoom::zoom_out(ctx),
+            Command::ZoomReset => ctx.set_zoom_factor(1.0),
+            Command::Find => self.prompt = Some(Prompt::find(Among::Commands)),
+        }
+    }
+
+    fn ask_system(&mut self, ctx: &Context, purpose: Purpose) {
+        let file_name = format!("{}.json", self.state.document.preset.file_stem());
+        match FileDialog::open(ctx, purpose, &file_name) {
+            Ok(dialog) => self.dialog = Some(dialog),
+            Err(_) => self.ask_path(purpose, Some(NO_DIALOG)),
+        }
+    }
+
+    fn ask_path(&mut self, purpose: Purpose, reason: Option<&'static str>) {
+        let text = match (purpose, self.state.document.file()) {
+            (Purpose::Save, Some(path)) => path.display().to_string(),
+            (Purpose::Save, None) => format!("{}.json", self.state.document.preset.file_stem()),
+            (Purpose::Open, _) => String::new(),
+        };
+        self.prompt = Some(Prompt::Path { purpose, text, reason });
+    }
+
+    fn load(&mut self, ctx: &Context, path: PathBuf) {
+        let job = Job::start(ctx, "open", path, |path, _| match Preset::load(&path) {
+            Ok(loaded) => Ok((loaded.preset, loaded.warnings)),
+            Err(error) => Err(error.to_string()),
+        });
+        self.loading = self.started(job);
+    }
+
+    fn save(&mut self, ctx: &Context, path: PathBuf) {
+        let saving = Saving { preset: self.state.document.preset.clone(), path };
+        let job = Job::start(ctx, "save", saving, |saving, _| {
+            saving.preset.save(&saving.path).map_err(|error| error.to_string())
+        });
+        self.saving = self.started(job);
+    }
+
+    /// The job, or a notice that the system gives no thread.
+    fn started<I, O>(&mut self, job: std::io::Result<Job<I, O>>) -> Option<Job<I, O>> {
+        job.inspect_err(|error| self.state.notify(NoticeKind::Error, format!("no thread could be started: {error}")))
+            .ok()
+    }
+
+    fn poll(&mut self, ctx: &Context) {
+        self.poll_dialog(ctx);
+        if let Some(job) = self.loading.take() {
+            match job.poll() {
+                Poll::Working => self.loading = Some(job),
+                Poll::Done(Ok((preset, warnings))) => {
+                    self.state.document = Document::new(preset, Some(job.input.clone()));
+                    for warning in warnings {
+                        self.state.notify(NoticeKind::Warning, warning);
+                    }
+                }
+                Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
+                Poll::Lost => self.state.notify(NoticeKind::Error, lost("opening", &job.input)),
+            }
+        }
+        if let Some(job) = self.saving.take() {
+            match job.poll() {
+                Poll::Working => self.saving = Some(job),
+                Poll::Done(Ok(())) => self.saved(ctx, job.input.clone()),
+                Poll::Done(Err(error)) => self.failed_to_save(error),
+                Poll::Lost => self.failed_to_save(lost("saving", &job.input.path)),
+            }
+        }
+    }
+
+    fn saved(&mut self, ctx: &Context, saving: Saving) {
+        self.state.document.was_saved(saving.preset, saving.path);
+        if let Some(action) = self.after_saving.take() {
+            self.perform(ctx, action);
+        }
+    }
+
+    fn failed_to_save(&mut self, error: String) {
+        self.after_saving = None;
+        self.state.notify(NoticeKind::Error, error);
+    }
+
+    fn poll_dialog(&mut self, ctx: &Context) {
+        let Some((purpose, outcome)) = self.dialog.as_ref().and_then(|d| Some((d.purpose(), d.poll()?))) else {
+            return;
+        };
+        self.dialog = None;
+        match outcome {
+            Outcome::Picked(path) if purpose == Purpose::Open => self.perform(ctx, Action::Load(path)),
+            Outcome::Picked(path) => self.save(ctx, path),
+            Outcome::Cancelled => self.after_saving = None,
+            Outcome::NoService => self.ask_path(purpose, Some(NO_DIALOG)),
+        }
+    }
+
+    fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let margin = |x, y| Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(x, y));
+        let (bar, side) = (margin(8, 4), margin(theme::MARGIN, 10));
+        Panel::top("menu").frame(bar).show(ui, |ui| panels::menu_bar::show(ui, &self.state, actions));
+        if !self.state.notices.is_empty() {
+            Panel::top("notices").frame(bar).show(ui, |ui| panels::notices::show(ui, &mut self.state));
+        }
+        if self.dialog.is_some() {
+            Panel::top("waiting").frame(bar).show(ui, |ui| self.waiting_for_dialog(ui));
+        }
+        Panel::bottom("status").frame(bar).show(ui, |ui| panels::status_bar::show(ui, &self.state));
+        Panel::right("inspector").frame(side).resizable(false).exact_size(theme::INSPECTOR_WIDTH).show(ui, |ui| {
+            panels::inspector::show(ui, &mut self.state, actions);
+        });
+        CentralPanel::no_frame().frame(side).show(ui, |ui| panels::curves::show(ui, &mut self.state, actions));
+    }
+
+    fn waiting_for_dialog(&mut self, ui: &mut Ui) {
+        let Some(purpose) = self.dialog.as_ref().map(FileDialog::purpose) else { return };
+        ui.horizontal(|ui| {
+            ui.label("Waiting for the system's file dialog");
+            if ui.button("Type a path instead").clicked() {
+                self.dialog = None;
+                self.ask_path(purpose, None);
+            }
+            if ui.button("Stop waiting").clicked() {
+                self.dialog = None;
+                self.after_saving = None;
+            }
+        });
+    }
+
+    fn answer_prompt(&mut self, ui: &Ui) {
+        let Some(prompt) = &mut self.prompt else { return };
+        let answer = prompt.show(ui, &self.state);
+        if !matches!(answer, Answer::None) {
+            self.prompt = None;
+        }
+        match answer {
+            Answer::None => {}
+            Answer::Cancel => self.after_saving = None,
+            Answer::Do(action) => self.perform(ui.ctx(), action),
+            Answer::Discard(action) => self.apply(ui.ctx(), action),
+            Answer::SaveThen(action) => {
+                self.after_saving = Some(action);
+                self.run(ui.ctx(), Command::Save);
+            }
+        }
+    }
+
+    /// A window that is closed with unsaved changes asks first.
+    fn guard_closing(&mut self, ctx: &Context) {
+        let is_closing = ctx.input(|input| input.viewport().close_requested());
+        if is_closing && !self.may_close && self.state.document.is_changed() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.prompt = Some(Prompt::Unsaved(Command::Quit.into()));
+        }
+    }
+
+    fn feed_history(&mut self, ctx: &Context) {
+        let (time, is_pointer_down) = ctx.input(|input| (input.time, input.pointer.any_down()));
+        let document = &mut self.state.document;
+        document.history.feed(time, is_pointer_down, &document.preset);
+        if document.history.is_waiting() {
+            ctx.request_repaint_after_secs(STABLE_SECONDS);
+        }
+    }
+
+    fn open_dropped_files(&self, ctx: &Context, actions: &mut Vec<Action>) {
+        let dropped = ctx.input(|input| input.raw.dropped_files.clone());
+        actions.extend(dropped.iter().map(|file| Action::Load(file.path().to_owned())));
+    }
+}
+
+const NO_DIALOG: &str = "There is no file dialog service on this system. Type the path instead.";
+
+/// Whether an action replaces the document or ends the program.
+fn loses_changes(action: &Action) -> bool {
+    matches!(action, Action::Run(Command::New | Command::Quit) | Action::Load(_) | Action::StartFrom(_))
+}
+
+fn lost(doing: &str, path: &Path) -> String {
+    format!("{}: {doing} it ended unexpectedly; the terminal may say more", path.display())
+}
+
+/// Three numbers as renderers' colour fields take them.
+fn linear_words(rgb: Rgb) -> String {
+    rgb.0.map(|value| value.to_string()).join(", ")
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        self.poll(&ctx);
+        let mut actions = Vec::new();
+        self.open_dropped_files(&ctx, &mut actions);
+        if self.prompt.is_none() {
+            actions.extend(Command::pressed(&ctx).map(Action::from));
+        }
+        self.panels(ui, &mut actions);
+        self.answer_prompt(ui);
+        self.guard_closing(&ctx);
+        for action in actions {
+            self.perform(&ctx, action);
+        }
+        self.feed_history(&ctx);
+    }
+}
+
+impl std::fmt::Debug for App {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("App").field("state", &self.state).finish_non_exhaustive()
+    }
+}

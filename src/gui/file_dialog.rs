@@ -1,0 +1,85 @@
+//! The system's file dialog, off the thread of the window.
+//!
+//! A missing dialog service answers like a person who cancels, and a broken one never answers. So nothing
+//! waits for it: it can be given up, and a path can always be typed instead.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use eframe::egui::Context;
+
+use super::job::{Job, Poll};
+
+/// What the file is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// A preset or a photograph to open.
+    Open,
+    /// Where to write the preset.
+    Save,
+}
+
+/// What came of a dialog.
+pub(crate) enum Outcome {
+    /// A file was chosen.
+    Picked(PathBuf),
+    /// The person cancelled.
+    Cancelled,
+    /// There is no dialog service: it answered before a person could.
+    NoService,
+}
+
+/// No person cancels a dialog faster than this.
+const FASTEST_PERSON: Duration = Duration::from_millis(150);
+
+/// A dialog that may be open on the screen.
+pub(crate) struct FileDialog {
+    job: Job<Purpose, Outcome>,
+}
+
+impl FileDialog {
+    /// Asks the system for a dialog.
+    pub(crate) fn open(ctx: &Context, purpose: Purpose, file_name: &str) -> std::io::Result<Self> {
+        // Built here: macOS wants the dialog made on the main thread and awaited elsewhere.
+        let choice: Choice = match purpose {
+            Purpose::Open => Box::pin(dialog().pick_file()),
+            Purpose::Save => Box::pin(
+                rfd::AsyncFileDialog::new()
+                    .add_filter("Edgewise preset", &["json"])
+                    .set_file_name(file_name)
+                    .save_file(),
+            ),
+        };
+        let job = Job::start(ctx, "file dialog", purpose, move |_, _| {
+            let start = Instant::now();
+            match pollster::block_on(choice) {
+                Some(file) => Outcome::Picked(file.path().to_owned()),
+                None if start.elapsed() < FASTEST_PERSON => Outcome::NoService,
+                None => Outcome::Cancelled,
+            }
+        })?;
+        Ok(Self { job })
+    }
+
+    /// What the dialog is for.
+    pub(crate) fn purpose(&self) -> Purpose {
+        self.job.input
+    }
+
+    /// The answer, once there is one.
+    pub(crate) fn poll(&self) -> Option<Outcome> {
+        match self.job.poll() {
+            Poll::Working => None,
+            Poll::Done(outcome) => Some(outcome),
+            Poll::Lost => Some(Outcome::NoService),
+        }
+    }
+}
+
+type Choice = std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+
+fn dialog() -> rfd::AsyncFileDialog {
+    rfd::AsyncFileDialog::new()
+        .add_filter("Presets and photographs", &["json", "png", "jpg", "jpeg", "tif", "tiff", "exr", "hdr", "webp"])
+        .add_filter("All files", &["*"])
+}

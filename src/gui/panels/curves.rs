@@ -1,0 +1,136 @@
+//! The curves of the preset over the truth, and the same as swatches.
+
+use std::ops::RangeInclusive;
+
+use eframe::egui::{Grid, RichText, Ui};
+use egui_plot::LineStyle;
+
+use crate::color::{Rgb, RgbSpace, delta_e_rgb};
+use crate::fresnel::{CosTheta, FresnelModel, THETA_MAX_DEG};
+use crate::gui::command::{Action, Command};
+use crate::gui::panels::spheres;
+use crate::gui::state::State;
+use crate::gui::theme;
+use crate::gui::truth::{at_angle, curve_angles_deg};
+use crate::gui::widgets::{CurvePlot, Handle, PlotLine, line_sample, strip};
+
+/// Dashes of the measured truth.
+const TRUTH: LineStyle = LineStyle::Dashed { length: 6.0 };
+/// Dots of Schlick's curve.
+const SCHLICK: LineStyle = LineStyle::Dotted { spacing: 4.0 };
+
+/// Shows the plot with its legend, strips and read-out.
+pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
+    legend(ui, state, actions);
+    let space = state.document.space();
+    let model = state.document.preset.model();
+    let curve = sample(&model);
+    let schlick = state.view.has_schlick.then(|| sample(&FresnelModel::Schlick { r: state.document.preset.r }));
+    let truth = state.view.metal.map(|metal| state.truth.curve(metal, space).clone());
+    let mut lines = Vec::new();
+    if let Some(curve) = &schlick {
+        lines.push(PlotLine { name: "Schlick", curve, style: SCHLICK, width: theme::THIN_CURVE, opacity: 0.9 });
+    }
+    if let Some(curve) = &truth {
+        lines.push(PlotLine { name: "truth", curve, style: TRUTH, width: theme::THIN_CURVE, opacity: 0.95 });
+    }
+    lines.push(PlotLine { name: "preset", curve: &curve, style: LineStyle::Solid, width: theme::CURVE, opacity: 1.0 });
+    let range_deg = if state.view.is_grazing_only { 60.0..=90.0 } else { 0.0..=90.0 };
+    let preset = &state.document.preset;
+    let handles = [
+        Handle { angle_deg: 0.0, name: "r, facing", value: preset.r },
+        Handle { angle_deg: THETA_MAX_DEG, name: "h, at 81.8°", value: preset.h },
+    ];
+    let strips = if truth.is_some() { 2.0 } else { 1.0 };
+    let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + spheres::HEIGHT + theme::GROUP_GAP;
+    let plot = CurvePlot {
+        lines: &lines,
+        band: None,
+        handles: &handles,
+        range_deg: range_deg.clone(),
+        cursor_deg: state.view.cursor_deg,
+        height: (ui.available_height() - below).max(160.0),
+    };
+    let output = plot.show(ui);
+    let mut cursor_deg = output.cursor_deg;
+    if let Some(curve) = &truth {
+        cursor_deg = cursor_deg.or(strip(ui, output.frame, "truth", curve, space, &range_deg));
+    }
+    cursor_deg = cursor_deg.or(strip(ui, output.frame, "r, h", &curve, space, &range_deg));
+    read_out(ui, cursor_deg, &curve, truth.as_deref(), space);
+    keep_cursor(ui, state, cursor_deg, &range_deg);
+    spheres::show(ui, state);
+    if let Some((index, value)) = output.dragged {
+        let preset = &mut state.document.preset;
+        *(if index == 0 { &mut preset.r } else { &mut preset.h }) = value;
+        preset.mark_edited();
+    }
+}
+
+/// Height of the numbers below the strips.
+const READ_OUT: f32 = 58.0;
+
+/// The curve of a model at the angles of the plot.
+pub(crate) fn sample(model: &FresnelModel) -> Vec<Rgb> {
+    curve_angles_deg().map(|deg| model.reflectance(CosTheta::from_deg(deg))).collect()
+}
+
+fn keep_cursor(ui: &Ui, state: &mut State, cursor_deg: Option<f64>, range_deg: &RangeInclusive<f64>) {
+    let cursor_deg = cursor_deg.map(|deg| deg.clamp(*range_deg.start(), *range_deg.end()));
+    if state.view.cursor_deg != cursor_deg {
+        state.view.cursor_deg = cursor_deg;
+        ui.ctx().request_repaint();
+    }
+}
+
+fn legend(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        ui.label(theme::title("Reflectance over the angle"));
+        ui.add_space(theme::GAP);
+        line_sample(ui, LineStyle::Solid, theme::CURVE, 1.0);
+        ui.label("preset");
+        ui.add_space(theme::GAP);
+        line_sample(ui, TRUTH, theme::THIN_CURVE, 1.0);
+        truth_menu(ui, state, actions);
+        ui.add_space(theme::GAP);
+        line_sample(ui, SCHLICK, theme::THIN_CURVE, 1.0);
+        ui.checkbox(&mut state.view.has_schlick, "Schlick").on_hover_text("Schlick's curve with the same r");
+        ui.add_space(theme::GAP);
+        let mut is_grazing_only = state.view.is_grazing_only;
+        if ui.checkbox(&mut is_grazing_only, "60–90°").on_hover_text(Command::ToggleGrazing.tooltip()).changed() {
+            actions.push(Command::ToggleGrazing.into());
+        }
+    });
+}
+
+fn truth_menu(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
+    let chosen = state.view.metal.map_or("no metal", |metal| metal.name.as_str());
+    let button = ui.button(format!("{chosen} ▾")).on_hover_text(Command::Compare.tooltip());
+    if button.accessible_name(format!("Truth: {chosen}")).clicked() {
+        actions.push(Command::Compare.into());
+    }
+}
+
+/// Numbers at the angle under the pointer, or at θ_max while there is none.
+fn read_out(ui: &mut Ui, cursor_deg: Option<f64>, curve: &[Rgb], truth: Option<&[Rgb]>, space: RgbSpace) {
+    let angle_deg = cursor_deg.unwrap_or(THETA_MAX_DEG);
+    let words = |rgb: Rgb| rgb.0.map(|v| format!("{v:>7.4}")).join(" ");
+    let ours = at_angle(curve, angle_deg);
+    ui.add_space(theme::GAP);
+    Grid::new("read-out").num_columns(4).spacing([theme::GROUP_GAP, 3.0]).show(ui, |ui| {
+        ui.label(theme::number(format!("{angle_deg:5.1}°")).strong());
+        ui.label(theme::hint("preset"));
+        ui.label(theme::number(words(ours)));
+        ui.label(theme::hint(space.label()));
+        ui.end_row();
+        if let Some(truth) = truth {
+            let theirs = at_angle(truth, angle_deg);
+            ui.label("");
+            ui.label(theme::hint("truth"));
+            ui.label(theme::number(words(theirs)));
+            let difference = delta_e_rgb(ours, theirs, space);
+            ui.label(RichText::new(format!("ΔE {difference:.2}")).small());
+            ui.end_row();
+        }
+    });
+}

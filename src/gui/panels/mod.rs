@@ -1,0 +1,8 @@
+//! The regions of the window. Each reads the state, edits the preset where it is an editor, and returns actions.
+
+pub(crate) mod curves;
+pub(crate) mod inspector;
+pub(crate) mod menu_bar;
+pub(crate) mod notices;
+pub(crate) mod spheres;
+pub(crate) mod status_bar;

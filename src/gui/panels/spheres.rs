@@ -1,0 +1,91 @@
+//! The sphere of the preset, of the truth, and the map of their difference.
+
+use eframe::egui::{
+    Align2, Color32, ComboBox, CornerRadius, Image, Label, Rect, Sense, StrokeKind, TextStyle, TextureHandle, Ui, Vec2,
+};
+
+use crate::gui::spheres::{Difference, Wanted};
+use crate::gui::state::State;
+use crate::gui::theme;
+use crate::render::{Light, false_colour};
+
+/// Height of the whole panel.
+pub(crate) const HEIGHT: f32 = theme::SPHERE + 58.0;
+
+/// Shows the previews.
+pub(crate) fn show(ui: &mut Ui, state: &mut State) {
+    header(ui, state);
+    let size = theme::SPHERE.min((ui.available_width() - 2.0 * theme::GROUP_GAP) / 3.0).floor();
+    let wanted = Wanted {
+        model: state.document.preset.model(),
+        space: state.document.space(),
+        roughness: state.document.preset.roughness,
+        metal: state.view.metal,
+        light: state.view.light,
+        size: (size * ui.pixels_per_point()).round().max(8.0) as u32,
+    };
+    state.spheres.want(ui.ctx(), wanted);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = theme::GROUP_GAP;
+        let Some(shown) = state.spheres.shown() else {
+            ui.allocate_exact_size(Vec2::splat(size), Sense::hover());
+            return;
+        };
+        picture(ui, &shown.preset, size, "preset");
+        if let (Some((truth, map, difference)), Some(metal)) = (&shown.truth, state.view.metal) {
+            picture(ui, truth, size, &format!("truth, {}", metal.name));
+            ui.vertical(|ui| {
+                ui.add(Image::new((map.id(), Vec2::splat(size))).alt_text("map of the colour difference"));
+                scale(ui, size, *difference);
+            });
+        }
+    });
+}
+
+fn header(ui: &mut Ui, state: &mut State) {
+    ui.horizontal(|ui| {
+        ui.label(theme::title("Sphere"));
+        ComboBox::from_id_salt("light")
+            .selected_text(state.view.light.label())
+            .show_ui(ui, |ui| {
+                for light in Light::ALL {
+                    ui.selectable_value(&mut state.view.light, light, light.label());
+                }
+            })
+            .response
+            .on_hover_text("The light around the sphere")
+            .accessible_name("Light around the sphere");
+        if let Some((_, _, difference)) = state.spheres.shown().and_then(|shown| shown.truth.as_ref()) {
+            let words = format!("preset to truth: mean ΔE {:.2}, at most {:.2}", difference.mean, difference.max);
+            ui.label(theme::hint(words));
+        }
+    });
+}
+
+fn picture(ui: &mut Ui, texture: &TextureHandle, size: f32, caption: &str) {
+    ui.vertical(|ui| {
+        ui.add(Image::new((texture.id(), Vec2::splat(size))).alt_text(format!("sphere: {caption}")));
+        ui.add_sized([size, 14.0], Label::new(theme::hint(caption)).truncate());
+    });
+}
+
+/// The colours of the map from 0 to its full scale, with both ends named.
+fn scale(ui: &mut Ui, width: f32, difference: Difference) {
+    let (row, _) = ui.allocate_exact_size(Vec2::new(width, 14.0), Sense::hover());
+    let bar = Rect::from_center_size(row.center(), Vec2::new(width * 0.5, 6.0));
+    const STEPS: u8 = 32;
+    for step in 0..STEPS {
+        let share = |step: u8| f32::from(step) / f32::from(STEPS);
+        let [red, green, blue] = false_colour(f64::from(share(step)));
+        let x = bar.left() + bar.width() * share(step)..=bar.left() + bar.width() * share(step + 1);
+        let cell = Rect::from_x_y_ranges(x, bar.y_range());
+        ui.painter().rect_filled(cell, CornerRadius::ZERO, Color32::from_rgb(red, green, blue));
+    }
+    ui.painter().rect_stroke(bar, 0, ui.visuals().window_stroke(), StrokeKind::Outside);
+    let font = TextStyle::Small.resolve(ui.style());
+    let (colour, gap) = (ui.visuals().weak_text_color(), theme::GAP);
+    let painter = ui.painter();
+    painter.text(bar.left_center() - Vec2::new(gap, 0.0), Align2::RIGHT_CENTER, "ΔE 0", font.clone(), colour);
+    let end = format!("{:.0}", difference.full_scale);
+    painter.text(bar.right_center() + Vec2::new(gap, 0.0), Align2::LEFT_CENTER, end, font, colour);
+}

@@ -1,0 +1,228 @@
+//! Questions that stand before everything else: unsaved changes, a path to type, a name to find.
+
+use std::path::PathBuf;
+
+use eframe::egui::{Id, Key, Label, Modal, Modifiers, ScrollArea, TextEdit, Ui};
+
+use super::command::{Action, Command};
+use super::file_dialog::Purpose;
+use super::state::State;
+use super::theme;
+use super::truth::library_colours;
+use super::widgets::swatch;
+use crate::metal::{Metal, metals};
+
+/// The question on show.
+#[derive(Clone, Debug)]
+pub(crate) enum Prompt {
+    /// What to do with unsaved changes before an action that loses them.
+    Unsaved(Action),
+    /// A path to type.
+    Path {
+        /// What the path is for.
+        purpose: Purpose,
+        /// What has been typed.
+        text: String,
+        /// Why a path is asked for, where that needs saying.
+        reason: Option<&'static str>,
+    },
+    /// Something to find by its name.
+    Find {
+        /// Among what.
+        among: Among,
+        /// What has been typed.
+        text: String,
+        /// Which of the results is chosen.
+        chosen: usize,
+    },
+}
+
+/// What a person searches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Among {
+    /// The commands.
+    Commands,
+    /// Metals to start a preset from.
+    MetalsToStartFrom,
+    /// Metals to compare with.
+    MetalsToCompare,
+}
+
+/// What a person answered.
+pub(crate) enum Answer {
+    /// Nothing yet.
+    None,
+    /// The question is off the table.
+    Cancel,
+    /// Do this.
+    Do(Action),
+    /// Save first, then do this.
+    SaveThen(Action),
+    /// Do this, whatever is lost.
+    Discard(Action),
+}
+
+impl Prompt {
+    pub(crate) fn find(among: Among) -> Self {
+        Self::Find { among, text: String::new(), chosen: 0 }
+    }
+
+    /// Shows the question and says what was answered.
+    pub(crate) fn show(&mut self, ui: &Ui, state: &State) -> Answer {
+        let modal = Modal::new(Id::unique("prompt")).show(ui.ctx(), |ui| match self {
+            Self::Unsaved(action) => unsaved(ui, state, action),
+            Self::Path { purpose, text, reason } => path(ui, *purpose, text, *reason),
+            Self::Find { among, text, chosen } => find(ui, state, *among, text, chosen),
+        });
+        match modal.inner {
+            Answer::None if modal.should_close() => Answer::Cancel,
+            answer => answer,
+        }
+    }
+}
+
+fn unsaved(ui: &mut Ui, state: &State, action: &Action) -> Answer {
+    ui.set_width(theme::DIALOG_WIDTH);
+    ui.heading("Save changes?");
+    ui.label(format!("“{}” has changes that are not on disk.", state.document.preset.name));
+    ui.add_space(theme::GROUP_GAP);
+    ui.horizontal(|ui| {
+        let save = ui.button("Save").on_hover_text("Save, then go on");
+        let discard = ui.button("Discard changes").on_hover_text("Go on without saving");
+        let cancel = ui.button("Cancel").on_hover_text("Keep working on this preset");
+        if save.clicked() {
+            Answer::SaveThen(action.clone())
+        } else if discard.clicked() {
+            Answer::Discard(action.clone())
+        } else if cancel.clicked() {
+            Answer::Cancel
+        } else {
+            Answer::None
+        }
+    })
+    .inner
+}
+
+fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) -> Answer {
+    ui.set_width(theme::DIALOG_WIDTH);
+    let (title, verb) = match purpose {
+        Purpose::Open => ("Open a preset or a photograph", "Open"),
+        Purpose::Save => ("Save the preset", "Save"),
+    };
+    ui.heading(title);
+    if let Some(reason) = reason {
+        ui.add(Label::new(reason).wrap());
+    }
+    let field = TextEdit::singleline(text).desired_width(f32::INFINITY).hint_text("/path/to/file");
+    let response = ui.add(field).accessible_name("Path");
+    if !response.lost_focus() {
+        response.request_focus();
+    }
+    let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    ui.add_space(theme::GAP);
+    ui.horizontal(|ui| {
+        let path = text.trim();
+        let is_chosen = ui.add_enabled(!path.is_empty(), eframe::egui::Button::new(verb)).clicked();
+        if (is_chosen || is_entered) && !path.is_empty() {
+            let path = PathBuf::from(path);
+            return Answer::Do(match purpose {
+                Purpose::Open => Action::Load(path),
+                Purpose::Save => Action::SaveTo(path),
+            });
+        }
+        if ui.button("Cancel").clicked() { Answer::Cancel } else { Answer::None }
+    })
+    .inner
+}
+
+fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mut usize) -> Answer {
+    ui.set_width(theme::FINDER_WIDTH);
+    let hint = match among {
+        Among::Commands => "Find a command",
+        Among::MetalsToStartFrom => "Start from a metal",
+        Among::MetalsToCompare => "Compare with a metal",
+    };
+    let step = ui.input_mut(|input| {
+        let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
+        i32::from(pressed(Key::ArrowDown)) - i32::from(pressed(Key::ArrowUp))
+    });
+    let field = TextEdit::singleline(text).desired_width(f32::INFINITY).hint_text(hint);
+    let response = ui.add(field).accessible_name(hint);
+    let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    response.request_focus();
+    if response.changed() {
+        *chosen = 0;
+    }
+    let found = found(among, text);
+    *chosen = chosen.saturating_add_signed(step as isize).min(found.len().saturating_sub(1));
+    let mut answer = Answer::None;
+    ScrollArea::vertical().max_height(theme::FINDER_HEIGHT).auto_shrink([false, true]).show(ui, |ui| {
+        if found.is_empty() {
+            ui.label(theme::hint("Nothing by that name"));
+        }
+        for (index, entry) in found.iter().enumerate() {
+            let response = entry.show(ui, state, index == *chosen);
+            if index == *chosen && step != 0 {
+                response.scroll_to_me(None);
+            }
+            if response.clicked() || (is_entered && index == *chosen) {
+                answer = Answer::Do(entry.action(among));
+            }
+        }
+    });
+    answer
+}
+
+enum Entry {
+    Command(Command),
+    /// A metal, by its place in the library.
+    Metal(usize),
+}
+
+impl Entry {
+    fn action(&self, among: Among) -> Action {
+        match (self, among) {
+            (Self::Command(command), _) => Action::Run(*command),
+            (Self::Metal(index), Among::MetalsToCompare) => Action::CompareWith(&metals()[*index]),
+            (Self::Metal(index), _) => Action::StartFrom(&metals()[*index]),
+        }
+    }
+
+    fn show(&self, ui: &mut Ui, state: &State, is_chosen: bool) -> eframe::egui::Response {
+        let row = |left: String, right: String| eframe::egui::Button::selectable(is_chosen, left).right_text(right);
+        match self {
+            Self::Command(command) => {
+                let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default();
+                let button = row(command.label().to_owned(), key).min_size([ui.available_width(), 0.0].into());
+                ui.add_enabled(command.is_enabled(state), button).on_hover_text(command.tooltip())
+            }
+            Self::Metal(index) => {
+                let space = state.document.space();
+                let metal = &metals()[*index];
+                let (r, h) = library_colours(space)[*index];
+                ui.horizontal(|ui| {
+                    for colour in [r, h] {
+                        swatch(ui, colour, space, eframe::egui::Vec2::splat(16.0));
+                    }
+                    let button = row(metal.name.clone(), metal.provenance.citation());
+                    ui.add(button.min_size([ui.available_width(), 0.0].into()))
+                })
+                .inner
+            }
+        }
+    }
+}
+
+/// What matches the typed words: names that begin with them first.
+fn found(among: Among, text: &str) -> Vec<Entry> {
+    let typed = text.trim().to_lowercase();
+    if among == Among::Commands {
+        let matching = Command::ALL.into_iter().filter(|command| command.label().to_lowercase().contains(&typed));
+        return matching.filter(|command| *command != Command::Find).map(Entry::Command).collect();
+    }
+    let words = |metal: &Metal| format!("{} {} {}", metal.name, metal.symbol, metal.id).to_lowercase();
+    let begins = |metal: &Metal| metal.name.to_lowercase().starts_with(&typed) || metal.symbol.to_lowercase() == typed;
+    let mut found: Vec<usize> = (0..metals().len()).filter(|&index| words(&metals()[index]).contains(&typed)).collect();
+    found.sort_by_key(|&index| !begins(&metals()[index]));
+    found.into_iter().map(Entry::Metal).collect()
+}

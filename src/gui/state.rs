@@ -1,0 +1,81 @@
+//! Everything the window shows, and nothing of how it shows it.
+
+use super::document::Document;
+use super::spheres::Spheres;
+use super::truth::TruthCurves;
+use crate::metal::Metal;
+use crate::preset::Preset;
+use crate::render::Light;
+
+/// The state of the window.
+#[derive(Debug)]
+pub struct State {
+    /// The open preset.
+    pub document: Document,
+    pub(crate) view: View,
+    pub(crate) truth: TruthCurves,
+    pub(crate) spheres: Spheres,
+    pub(crate) notices: Vec<Notice>,
+}
+
+impl State {
+    pub(crate) fn new(preset: Preset) -> Self {
+        Self {
+            document: Document::new(preset, None),
+            view: View::default(),
+            truth: TruthCurves::default(),
+            spheres: Spheres::default(),
+            notices: Vec::new(),
+        }
+    }
+
+    /// Shows a sentence until it is dismissed.
+    pub(crate) fn notify(&mut self, kind: NoticeKind, text: impl Into<String>) {
+        let notice = Notice { kind, text: text.into() };
+        if !self.notices.contains(&notice) {
+            self.notices.push(notice);
+        }
+    }
+
+    /// The sentences on show, oldest first.
+    pub fn notices(&self) -> impl Iterator<Item = &str> {
+        self.notices.iter().map(|notice| notice.text.as_str())
+    }
+}
+
+/// How the document is looked at; no part of it.
+#[derive(Debug)]
+pub(crate) struct View {
+    /// The measured metal beneath the preset.
+    pub metal: Option<&'static Metal>,
+    /// Schlick's curve with the same r.
+    pub has_schlick: bool,
+    /// Only 60–90°.
+    pub is_grazing_only: bool,
+    /// The angle under the pointer, for the read-out.
+    pub cursor_deg: Option<f64>,
+    /// The light around the sphere.
+    pub light: Light,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { metal: None, has_schlick: false, is_grazing_only: false, cursor_deg: None, light: Light::PhotoStudio }
+    }
+}
+
+/// A sentence about something that happened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Notice {
+    pub kind: NoticeKind,
+    pub text: String,
+}
+
+/// How much a notice matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoticeKind {
+    /// Something failed.
+    Error,
+    /// Something a person should know.
+    Warning,
+}

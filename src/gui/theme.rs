@@ -1,0 +1,283 @@
+//! Every colour and size of the window.
+//!
+//! The greys are exactly neutral: a tinted surround shifts how a metal beside it is judged.
+//! The one accent marks what is selected; the channels keep their own three colours everywhere.
+
+use std::sync::Arc;
+
+use eframe::egui::{
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, RichText, Shadow, Stroke,
+    Style, TextStyle, Theme, Ui, Visuals, style::HandleShape, vec2,
+};
+
+/// Size of the window when it first opens.
+pub(crate) const WINDOW_SIZE: [f32; 2] = [1280.0, 800.0];
+/// Below this the panels would overlap.
+pub(crate) const SMALLEST_WINDOW: [f32; 2] = [1000.0, 640.0];
+
+/// Space between things that belong together.
+pub(crate) const GAP: f32 = 6.0;
+/// Space between groups.
+pub(crate) const GROUP_GAP: f32 = 14.0;
+/// Margin of the panels.
+pub(crate) const MARGIN: i8 = 12;
+/// Height of one row of fields.
+pub(crate) const ROW: f32 = 22.0;
+/// Rounding of fields, swatches and pictures.
+pub(crate) const ROUNDING: u8 = 3;
+
+/// Width of the panel of the photograph.
+pub(crate) const PHOTO_WIDTH: f32 = 368.0;
+/// Width of the inspector of the preset.
+pub(crate) const INSPECTOR_WIDTH: f32 = 340.0;
+/// Width of the words in front of a row of fields.
+pub(crate) const LABEL_WIDTH: f32 = 84.0;
+/// Side of a sphere preview.
+pub(crate) const SPHERE: f32 = 176.0;
+/// Side of the swatch of a colour editor.
+pub(crate) const SWATCH: f32 = 64.0;
+/// Height of each strip of swatches.
+pub(crate) const STRIP: f32 = 30.0;
+/// Room for the numbers of the vertical axis.
+pub(crate) const AXIS_WIDTH: f32 = 34.0;
+/// Width of a modal dialog.
+pub(crate) const DIALOG_WIDTH: f32 = 440.0;
+/// Width of the searchable menu.
+pub(crate) const FINDER_WIDTH: f32 = 320.0;
+/// Height of the searchable menu's list.
+pub(crate) const FINDER_HEIGHT: f32 = 360.0;
+
+/// Width of the curve of the preset.
+pub(crate) const CURVE: f32 = 2.0;
+/// Width of the curves it is compared with.
+pub(crate) const THIN_CURVE: f32 = 1.2;
+/// Radius of a handle on a curve.
+pub(crate) const HANDLE_RADIUS: f32 = 5.0;
+
+/// The colours that egui's own visuals have no place for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Palette {
+    /// Behind photographs, plots and spheres.
+    pub canvas: Color32,
+    /// Red, green and blue channels.
+    pub channels: [Color32; 3],
+    /// The accent, for what is selected and for handles.
+    pub accent: Color32,
+    /// Where the three channels are one.
+    pub grey: Color32,
+    /// Lines of a plot's grid.
+    pub grid: Color32,
+    /// Lines that mark an angle.
+    pub guide: Color32,
+    /// A warning's sign.
+    pub warning: Color32,
+    /// Something that failed.
+    pub error: Color32,
+    /// Something that is as it should be.
+    pub good: Color32,
+}
+
+const DARK: Palette = Palette {
+    canvas: Color32::from_gray(0x1c),
+    channels: [
+        Color32::from_rgb(0xe8, 0x6a, 0x62),
+        Color32::from_rgb(0x74, 0xc2, 0x7b),
+        Color32::from_rgb(0x74, 0x9f, 0xee),
+    ],
+    accent: Color32::from_rgb(0x86, 0xac, 0xdc),
+    grey: Color32::from_gray(0xd0),
+    grid: Color32::from_gray(0x34),
+    guide: Color32::from_gray(0x86),
+    warning: Color32::from_rgb(0xe3, 0xb5, 0x5c),
+    error: Color32::from_rgb(0xec, 0x8c, 0x7e),
+    good: Color32::from_rgb(0x8f, 0xbf, 0x95),
+};
+
+const LIGHT: Palette = Palette {
+    canvas: Color32::from_gray(0xf1),
+    channels: [
+        Color32::from_rgb(0xbe, 0x33, 0x2b),
+        Color32::from_rgb(0x27, 0x7a, 0x38),
+        Color32::from_rgb(0x2a, 0x5d, 0xbd),
+    ],
+    accent: Color32::from_rgb(0x2b, 0x5f, 0x9e),
+    grey: Color32::from_gray(0x30),
+    grid: Color32::from_gray(0xdc),
+    guide: Color32::from_gray(0x74),
+    warning: Color32::from_rgb(0x87, 0x57, 0x00),
+    error: Color32::from_rgb(0xa3, 0x2e, 0x1c),
+    good: Color32::from_rgb(0x2c, 0x6b, 0x38),
+};
+
+/// Neutral greys of one theme, from the ground up.
+struct Greys {
+    panel: u8,
+    field: u8,
+    button: u8,
+    hovered: u8,
+    pressed: u8,
+    line: u8,
+    weak_text: u8,
+    text: u8,
+    strong_text: u8,
+    selection: Color32,
+    selected_text: Color32,
+}
+
+const DARK_GREYS: Greys = Greys {
+    panel: 0x29,
+    field: 0x1e,
+    button: 0x3a,
+    hovered: 0x46,
+    pressed: 0x52,
+    line: 0x3d,
+    weak_text: 0xa0,
+    text: 0xd4,
+    strong_text: 0xf4,
+    selection: Color32::from_rgb(0x3c, 0x56, 0x78),
+    selected_text: Color32::from_gray(0xff),
+};
+
+const LIGHT_GREYS: Greys = Greys {
+    panel: 0xdf,
+    field: 0xf3,
+    button: 0xce,
+    hovered: 0xc2,
+    pressed: 0xb5,
+    line: 0xbe,
+    weak_text: 0x56,
+    text: 0x24,
+    strong_text: 0x00,
+    selection: Color32::from_rgb(0xa9, 0xc2, 0xe4),
+    selected_text: Color32::from_gray(0x00),
+};
+
+impl Palette {
+    /// The palette of the theme that is being drawn.
+    pub(crate) fn of(ui: &Ui) -> Self {
+        if ui.visuals().dark_mode { DARK } else { LIGHT }
+    }
+}
+
+/// Installs the fonts and both themes.
+pub(crate) fn install(ctx: &Context) {
+    ctx.set_fonts(fonts());
+    ctx.set_style_of(Theme::Dark, style(Visuals::dark(), &DARK_GREYS, DARK));
+    ctx.set_style_of(Theme::Light, style(Visuals::light(), &LIGHT_GREYS, LIGHT));
+}
+
+fn semi_bold() -> FontFamily {
+    FontFamily::Name("semi-bold".into())
+}
+
+/// Inter for words, Hack for numbers; Hack also lends both the arrows and shapes that Inter lacks.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let mut add = |name: &str, bytes: &'static [u8]| {
+        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+    };
+    add("Inter", include_bytes!("../../assets/fonts/Inter-Regular.ttf"));
+    add("Inter SemiBold", include_bytes!("../../assets/fonts/Inter-SemiBold.ttf"));
+    let fallbacks = fonts.families.get(&FontFamily::Proportional).cloned().unwrap_or_default();
+    let with_fallbacks = |first: &str| {
+        let mut names = vec![first.to_owned()];
+        names.extend(fallbacks.iter().cloned());
+        names.push("Hack".to_owned());
+        names
+    };
+    fonts.families.insert(FontFamily::Proportional, with_fallbacks("Inter"));
+    fonts.families.insert(semi_bold(), with_fallbacks("Inter SemiBold"));
+    fonts
+}
+
+fn style(visuals: Visuals, greys: &Greys, palette: Palette) -> Style {
+    let mut style = Style { visuals, animation_time: 0.08, ..Style::default() };
+    style.text_styles = [
+        (TextStyle::Small, FontId::new(11.0, FontFamily::Proportional)),
+        (TextStyle::Body, FontId::new(12.5, FontFamily::Proportional)),
+        (TextStyle::Button, FontId::new(12.5, FontFamily::Proportional)),
+        (TextStyle::Heading, FontId::new(15.0, semi_bold())),
+        (TextStyle::Monospace, FontId::new(11.5, FontFamily::Monospace)),
+    ]
+    .into();
+    style.drag_value_text_style = TextStyle::Monospace;
+    space(&mut style);
+    paint(&mut style.visuals, greys, palette);
+    style
+}
+
+fn space(style: &mut Style) {
+    let spacing = &mut style.spacing;
+    spacing.item_spacing = vec2(GAP, GAP);
+    spacing.button_padding = vec2(8.0, 3.0);
+    spacing.interact_size = vec2(36.0, ROW);
+    spacing.menu_margin = Margin::same(6);
+    spacing.window_margin = Margin::same(16);
+    spacing.combo_width = 60.0;
+    spacing.slider_rail_height = 4.0;
+    spacing.scroll.bar_width = 8.0;
+    spacing.tooltip_width = 320.0;
+    style.interaction.tooltip_delay = 0.4;
+    style.interaction.selectable_labels = false;
+}
+
+fn paint(visuals: &mut Visuals, greys: &Greys, palette: Palette) {
+    let grey = Color32::from_gray;
+    visuals.panel_fill = grey(greys.panel);
+    visuals.window_fill = grey(greys.panel);
+    visuals.window_stroke = Stroke::new(1.0, grey(greys.line));
+    visuals.extreme_bg_color = grey(greys.field);
+    visuals.faint_bg_color = grey(greys.panel.saturating_add(if visuals.dark_mode { 5 } else { 8 }));
+    visuals.weak_text_color = Some(grey(greys.weak_text));
+    visuals.hyperlink_color = palette.accent;
+    visuals.warn_fg_color = palette.warning;
+    visuals.error_fg_color = palette.error;
+    visuals.selection.bg_fill = greys.selection;
+    visuals.selection.stroke = Stroke::new(1.0, greys.selected_text);
+    visuals.text_cursor.stroke = Stroke::new(1.5, palette.accent);
+    visuals.window_corner_radius = CornerRadius::same(6);
+    visuals.menu_corner_radius = CornerRadius::same(5);
+    let shadow = Shadow { offset: [0, 4], blur: 16, spread: 0, color: Color32::from_black_alpha(70) };
+    (visuals.window_shadow, visuals.popup_shadow) = (shadow, shadow);
+    visuals.handle_shape = HandleShape::Rect { aspect_ratio: 0.5 };
+    visuals.striped = false;
+    let widgets = &mut visuals.widgets;
+    let states = [
+        (&mut widgets.noninteractive, greys.panel, greys.text, grey(greys.line)),
+        (&mut widgets.inactive, greys.button, greys.text, Color32::TRANSPARENT),
+        (&mut widgets.hovered, greys.hovered, greys.strong_text, Color32::TRANSPARENT),
+        (&mut widgets.active, greys.pressed, greys.strong_text, palette.accent),
+        (&mut widgets.open, greys.hovered, greys.strong_text, Color32::TRANSPARENT),
+    ];
+    for (widget, fill, text, outline) in states {
+        (widget.bg_fill, widget.weak_bg_fill) = (grey(fill), grey(fill));
+        widget.fg_stroke = Stroke::new(1.0, grey(text));
+        widget.bg_stroke = Stroke::new(1.0, outline);
+        widget.corner_radius = CornerRadius::same(ROUNDING);
+        widget.expansion = 0.0;
+    }
+}
+
+/// A handle that stands out on any colour of a slider's rail: white with a black edge.
+pub(crate) fn set_slider_handle(visuals: &mut Visuals) {
+    let widgets = &mut visuals.widgets;
+    for widget in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
+        widget.bg_fill = Color32::from_gray(0xf4);
+        widget.fg_stroke = Stroke::new(1.0, Color32::from_gray(0x10));
+    }
+}
+
+/// Words above a group of controls.
+pub(crate) fn title(text: impl Into<String>) -> RichText {
+    RichText::new(text).font(FontId::new(12.5, semi_bold())).strong()
+}
+
+/// Words that explain, quieter than the rest.
+pub(crate) fn hint(text: impl Into<String>) -> RichText {
+    RichText::new(text).small().weak()
+}
+
+/// Numbers that must stand in columns.
+pub(crate) fn number(text: impl Into<String>) -> RichText {
+    RichText::new(text).monospace()
+}

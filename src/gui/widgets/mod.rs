@@ -1,0 +1,15 @@
+//! The parts that panels are made of.
+
+mod colour_field;
+mod colour_slider;
+mod curve_plot;
+mod number_field;
+mod strip;
+mod swatch;
+
+pub(crate) use colour_field::{ColourField, VALUE_WIDTH, channel_names, row_label};
+pub(crate) use colour_slider::colour_slider;
+pub(crate) use curve_plot::{CurvePlot, Handle, PlotLine, line_sample};
+pub(crate) use number_field::NumberField;
+pub(crate) use strip::strip;
+pub(crate) use swatch::{colour32, swatch};

@@ -1,0 +1,112 @@
+//! A window without a display, and what a person does with it.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use edgewise::gui::App;
+use edgewise::preset::Preset;
+use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, accesskit::Role, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+
+/// No job of these tests takes long; one that does not end must not hang the tests.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+pub struct Window {
+    pub harness: Harness<'static, App>,
+}
+
+impl Window {
+    pub fn open(path: Option<PathBuf>) -> Self {
+        let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(30);
+        let mut window = Self { harness: builder.build_eframe(move |cc| App::new(&cc.egui_ctx, path)) };
+        window.settle();
+        window
+    }
+
+    /// Runs frames until no job is at work and nothing moves.
+    pub fn settle(&mut self) {
+        let start = Instant::now();
+        self.harness.step();
+        while self.harness.state().is_busy() {
+            assert!(start.elapsed() < PATIENCE, "a job does not end");
+            std::thread::sleep(Duration::from_millis(2));
+            self.harness.step();
+        }
+        self.harness.run();
+    }
+
+    pub fn preset(&self) -> &Preset {
+        &self.harness.state().state().document.preset
+    }
+
+    pub fn notices(&self) -> Vec<String> {
+        self.harness.state().state().notices().map(str::to_owned).collect()
+    }
+
+    pub fn click(&mut self, name: &str) {
+        self.harness.get_by_label(name).click();
+        self.settle();
+    }
+
+    pub fn press(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.settle();
+    }
+
+    /// Types into whatever has the focus.
+    pub fn type_text(&mut self, text: &str) {
+        self.harness.event(Event::Text(text.to_owned()));
+        self.settle();
+    }
+
+    /// Runs a command as a person would without a mouse: by its name.
+    pub fn command(&mut self, name: &str) {
+        self.press(Modifiers::COMMAND, Key::K);
+        self.type_text(name);
+        self.press(Modifiers::NONE, Key::Enter);
+    }
+
+    /// Replaces the text of a field.
+    pub fn enter(&mut self, name: &str, text: &str) {
+        self.harness.get_by_label(name).click();
+        self.settle();
+        self.press(Modifiers::COMMAND, Key::A);
+        self.type_text(text);
+        self.press(Modifiers::NONE, Key::Enter);
+    }
+
+    /// Answers the question for a path.
+    pub fn answer_path(&mut self, path: &Path) {
+        self.press(Modifiers::COMMAND, Key::A);
+        self.type_text(path.to_str().unwrap());
+        self.press(Modifiers::NONE, Key::Enter);
+    }
+
+    pub fn drag(&mut self, from: Pos2, to: Pos2) {
+        self.harness.drag_at(from);
+        self.harness.run();
+        for step in 1..=4 {
+            self.harness.hover_at(from + (to - from) * (step as f32 / 4.0));
+            self.harness.run();
+        }
+        self.harness.drop_at(to);
+        self.settle();
+    }
+
+    /// Drags the handle of a slider from one fraction of its rail to another.
+    pub fn drag_slider(&mut self, name: &str, from: f32, to: f32) {
+        let rect = self.harness.get_by_role_and_label(Role::Slider, name).rect();
+        let at = |fraction: f32| rect.left_center() + vec2(rect.width() * fraction, 0.0);
+        self.drag(at(from), at(to));
+    }
+
+    /// Where the control with this name is.
+    pub fn rect(&self, name: &str) -> Rect {
+        self.harness.get_by_label(name).rect()
+    }
+
+    pub fn shows(&self, text: &str) -> bool {
+        self.harness.query_by_label_contains(text).is_some()
+    }
+}

@@ -1,0 +1,5 @@
+//! Does the window do what a person asks of it? Driven by the names of its controls, without a display.
+
+mod author;
+mod drive;
+mod files;
