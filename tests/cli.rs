@@ -206,6 +206,75 @@ fn presets_of_another_version_are_refused_by_name() {
     assert!(sentence.contains("future.json") && sentence.contains("format 7"), "{sentence}");
 }
 
+#[test]
+fn reflect_plots_what_it_prints() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name);
+    let plot =
+        |name: &str| quiet(&["reflect", "--metal", "Cr", "--model", "hoffman", "--plot", file(name).to_str().unwrap()]);
+    assert_eq!(plot("curve.svg"), plot("curve.png"));
+    let svg = fs::read_to_string(file("curve.svg")).unwrap();
+    assert!(svg.contains("<svg") && svg.contains("Chromium") && svg.contains("Hoffman"), "{}", &svg[..200]);
+    let png = image::open(file("curve.png")).unwrap().into_rgb8();
+    let colours: std::collections::BTreeSet<[u8; 3]> = png.pixels().map(|pixel| pixel.0).collect();
+    assert!(colours.len() > 100, "{} colours in {:?}", colours.len(), png.dimensions());
+
+    for (name, reason) in [("curve.gif", ".svg or .png"), ("no/such/curve.svg", "no such file or folder")] {
+        let sentence = refusal(1, &["reflect", "--metal", "Cr", "--plot", file(name).to_str().unwrap()]);
+        assert!(sentence.contains(reason) && sentence.contains(name), "{sentence}");
+    }
+}
+
+// --- inspect ---
+
+/// A PNG whose sRGB chunk says how it is encoded.
+fn png(folder: &Path, name: &str, width: u32, rgb: &[[u8; 3]]) -> String {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, rgb.len() as u32 / width);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(rgb.as_flattened()).unwrap();
+    writer.finish().unwrap();
+    let path = folder.join(name);
+    fs::write(&path, bytes).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn inspect_reads_pixels_as_linear_rec709() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = png(folder.path(), "two.png", 2, &[[128, 0, 255], [64, 64, 64]]);
+    let value = json(&["inspect", &path, "--probe", "0,0;1,0", "--json"]);
+    assert_eq!(
+        (&value["width"], &value["height"], &value["colour_rule"]),
+        (&json!(2), &json!(1), &json!("PNG sRGB chunk: sRGB"))
+    );
+    let red = value["probes"]["0,0"][0].as_f64().unwrap();
+    // IEC 61966-2-1: ((128/255 + 0.055) / 1.055)^2.4.
+    assert!((red - 0.215_860_5).abs() < 1e-6, "{red}");
+
+    let csv = edgewise(&["inspect", &path, "--probe", "1,0", "--format", "csv"]);
+    assert!(String::from_utf8(csv.stdout).unwrap().starts_with("x,y,red,green,blue\n1,0,0.05"));
+    let facts = edgewise(&["inspect", &path, "--format", "csv"]);
+    assert_eq!(String::from_utf8(facts.stdout).unwrap(), "width,height,colour_rule\n2,1,PNG sRGB chunk: sRGB\n");
+
+    let outside = edgewise(&["inspect", &path, "--probe", "2,0", "--json"]);
+    assert!(stderr(&outside).contains("there is no pixel 2,0 in a picture of 2 × 1"), "{}", stderr(&outside));
+    assert_eq!(serde_json::from_slice::<Value>(&outside.stdout).unwrap()["probes"], json!({ "2,0": null }));
+}
+
+#[test]
+fn what_is_no_photograph_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = folder.path().join("text.png");
+    fs::write(&text, "no picture").unwrap();
+    assert!(refusal(1, &["inspect", text.to_str().unwrap()]).contains("text.png"));
+    assert!(refusal(1, &["inspect", "no/such.png"]).contains("no/such.png"));
+    assert!(refusal(1, &["inspect", env!("CARGO_MANIFEST_DIR")]).contains("not a file"));
+    assert!(refusal(2, &["inspect", "p.png", "--probe", "0.5,1"]).contains("“0.5,1” is no pixel"));
+}
+
 // --- convert, fit, study, export ---
 
 #[test]
@@ -323,7 +392,9 @@ fn presets_are_listed_and_written() {
     let folder = tempfile::tempdir().unwrap();
     quiet(&["presets", "--write", folder.path().to_str().unwrap()]);
     let gold = Preset::load(&folder.path().join("gold.json")).unwrap().preset;
-    assert_eq!(&gold, built_in_presets().iter().find(|preset| preset.name == "Gold").unwrap());
+    let built_in = built_in_presets().iter().find(|preset| preset.name == "Gold").unwrap();
+    assert_eq!((&gold.origin, &gold.tags), (&built_in.origin, &built_in.tags));
+    assert!(gold.r.max_abs_difference(built_in.r) < 1e-12, "the platform may differ in the last bits");
     assert!(
         refusal(1, &["presets", "--write", folder.path().join("gold.json").to_str().unwrap()]).contains("gold.json")
     );
@@ -334,7 +405,7 @@ fn presets_are_listed_and_written() {
 #[test]
 fn help_names_every_subcommand_and_each_has_both_format_flags() {
     let help = quiet(&["--help"]);
-    for subcommand in ["metals", "presets", "reflect", "convert", "fit", "export", "study"] {
+    for subcommand in ["metals", "presets", "reflect", "convert", "fit", "export", "study", "inspect"] {
         assert!(help.contains(&format!("\n  {subcommand} ")), "{help}");
         let path: &[&str] =
             if subcommand == "study" { &["study", "accuracy", "--help"] } else { &[subcommand, "--help"] };

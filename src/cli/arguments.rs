@@ -80,6 +80,22 @@ fn stepped(text: &str) -> Result<Vec<f64>, String> {
     Ok((0..=steps as usize).map(|index| (first + index as f64 * step).min(last)).collect())
 }
 
+/// Whole pixel indices: column and row from the top left.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Probes(pub Vec<(u32, u32)>);
+
+/// `0,0;120,80`; empty for none.
+pub fn probes(text: &str) -> Result<Probes, String> {
+    let parts = text.split(';').map(str::trim).filter(|part| !part.is_empty());
+    parts.map(probe).collect::<Result<_, _>>().map(Probes)
+}
+
+fn probe(text: &str) -> Result<(u32, u32), String> {
+    let index = |part: &str| part.trim().parse::<u32>().ok();
+    let pair = text.split_once(',').and_then(|(column, row)| Some((index(column)?, index(row)?)));
+    pair.ok_or_else(|| format!("“{text}” is no pixel; write whole column,row like 120,80"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -91,6 +107,15 @@ mod tests {
             [("1,2", "found 2"), ("1,2,x", "“x” is no number"), ("1,NaN,1", "not finite"), ("1;2;3", "no number")]
         {
             assert!(triple(text).unwrap_err().contains(reason), "{text}");
+        }
+    }
+
+    #[test]
+    fn probes_are_whole_pixels() {
+        assert_eq!(probes("0,0; 12,34;"), Ok(Probes(vec![(0, 0), (12, 34)])));
+        assert_eq!(probes(""), Ok(Probes::default()));
+        for text in ["1", "1,2,3", "0.5,1", "-1,0", "a,b"] {
+            assert!(probes(text).unwrap_err().contains("no pixel"), "{text}");
         }
     }
 

@@ -6,6 +6,7 @@
 //! | `convert` | `edgewise convert`: the same material in other parameters |
 //! | `export` | `edgewise export`: presets as files for renderers |
 //! | `fit` | `edgewise fit`: parameters of models for a measured metal |
+//! | `inspect` | `edgewise inspect`: what a photograph says about its colours |
 //! | `metals` | `edgewise metals`: the library of measured data |
 //! | `output` | table, CSV and JSON, one form of each for every subcommand |
 //! | `parameters` | the parameters of a model as rows |
@@ -18,6 +19,7 @@ mod arguments;
 mod convert;
 mod export;
 mod fit;
+mod inspect;
 mod metals;
 mod output;
 mod parameters;
@@ -48,21 +50,23 @@ pub struct Arguments {
     pub command: Option<Command>,
 }
 
-/// The subcommands.
+/// The subcommands, in the order of the help.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Say how a photograph's colours are read, and its values at some pixels
+    Inspect(inspect::Inspect),
     /// List the measured metals of the library
     Metals(metals::Metals),
-    /// Give the same material in the parameters of other models
-    Convert(convert::Convert),
-    /// Fit models to a measured metal
-    Fit(fit::FitCommand),
-    /// Write presets for renderers
-    Export(export::Export),
-    /// List the built-in presets, or write them as files
-    Presets(presets::Presets),
     /// Print or plot reflectance over the angle of incidence
     Reflect(reflect::Reflect),
+    /// Fit models to a measured metal
+    Fit(fit::FitCommand),
+    /// Give the same material in the parameters of other models
+    Convert(convert::Convert),
+    /// List the built-in presets, or write them as files
+    Presets(presets::Presets),
+    /// Write presets for renderers
+    Export(export::Export),
     /// Measure what the paper claims
     Study(study::Study),
 }
@@ -70,11 +74,12 @@ pub enum Command {
 impl Command {
     fn run(self) -> anyhow::Result<Output> {
         match self {
+            Self::Inspect(command) => command.run(),
             Self::Metals(command) => command.run(),
-            Self::Presets(command) => command.run(),
             Self::Reflect(command) => command.run(),
-            Self::Convert(command) => command.run(),
             Self::Fit(command) => command.run(),
+            Self::Convert(command) => command.run(),
+            Self::Presets(command) => command.run(),
             Self::Export(command) => command.run(),
             Self::Study(command) => command.run(),
         }

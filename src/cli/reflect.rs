@@ -1,5 +1,7 @@
 //! `edgewise reflect`: reflectance over the angle of incidence.
 
+use std::path::PathBuf;
+
 use anyhow::bail;
 use clap::Args;
 use serde_json::json;
@@ -8,6 +10,7 @@ use super::arguments::{self, Angles, Model};
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::source::{Material, Source, SourceArguments};
 use crate::color::Rgb;
+use crate::figure::{CurveFigure, CurveSeries, Figure, FigureTheme, curve_figure};
 use crate::fit::{Method, convert, fit};
 use crate::fresnel::{CosTheta, FresnelModel, ModelKind};
 use crate::metal::{Metal, SpectralModel};
@@ -30,6 +33,9 @@ pub struct Reflect {
     /// Angles in degrees: first:last:step, or a list; “max” is 81.787°
     #[arg(long, default_value = "0:90:1", value_parser = arguments::angles, allow_hyphen_values = true)]
     angles: Angles,
+    /// Also draw the curve over 0–90° into an .svg or .png file, with the truth where there is one
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -46,6 +52,9 @@ impl Reflect {
         let source = self.source.source()?;
         let mut warnings = source.warnings.clone();
         let curve = self.curve(&source, &mut warnings)?;
+        if let Some(path) = &self.plot {
+            curve.figure(&source).save(path, FigureTheme::Light)?;
+        }
         let reflectance = |&deg: &f64| (deg, curve.reflectance(CosTheta::from_deg(deg), &source));
         let rows: Vec<(f64, Rgb)> = self.angles.0.iter().map(reflectance).collect();
         let text = match self.format.format() {
@@ -98,6 +107,28 @@ impl Curve<'_> {
             Self::FewWavelengths(_, model) => model.reflectance(angle),
             Self::Model(model, _) => model.reflectance(angle),
         }
+    }
+
+    /// The name people read.
+    fn label(&self) -> String {
+        match self {
+            Self::Spectral(_) => "Truth".to_owned(),
+            Self::FewWavelengths(count, _) => format!("Spectral, {count} wavelengths"),
+            Self::Model(model, None) => model.kind().label().to_owned(),
+            Self::Model(model, Some(method)) => format!("{}, {method}", model.kind().label()),
+        }
+    }
+
+    fn figure(&self, source: &Source) -> CurveFigure {
+        let truth = match &source.material {
+            Material::Measured(metal) => Some(metal.as_ref()),
+            Material::Model(_) => None,
+        };
+        let mut figure = CurveFigure { title: source.name.clone(), ..curve_figure(truth, &[], source.space) };
+        if !matches!(self, Self::Spectral(_)) {
+            figure.models.push(CurveSeries::new(self.label(), |angle| self.reflectance(angle, source)));
+        }
+        figure
     }
 
     fn json(&self, source: &Source, rows: &[(f64, Rgb)], warnings: &[String]) -> serde_json::Value {

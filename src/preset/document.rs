@@ -33,6 +33,7 @@ pub struct Preset {
 /// Where the colours of a preset come from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
+#[expect(clippy::large_enum_variant, reason = "there is one for each document")]
 pub enum Origin {
     /// Set by a person.
     #[default]
