@@ -95,7 +95,7 @@ fn open(preset_file: &Path, renderer: &str) {
             .env_remove("WAYLAND_DISPLAY")
             .stderr(Stdio::null()),
     );
-    let preset = Preset::load(preset_file).unwrap();
+    let preset = Preset::load(preset_file).unwrap().preset;
     let begin = Instant::now();
     loop {
         let picture = screenshot(&display);
