@@ -115,7 +115,7 @@ impl AccuracyRow {
 }
 
 /// Counts finished rows for all threads and remembers that someone said stop.
-struct Meter<'a> {
+pub(super) struct Meter<'a> {
     total: usize,
     done: AtomicUsize,
     is_stopped: AtomicBool,
@@ -123,7 +123,7 @@ struct Meter<'a> {
 }
 
 impl<'a> Meter<'a> {
-    fn new(total: usize, progress: &'a (dyn Fn(f32) -> ControlFlow<()> + Sync)) -> Self {
+    pub(super) fn new(total: usize, progress: &'a (dyn Fn(f32) -> ControlFlow<()> + Sync)) -> Self {
         Self { total, done: AtomicUsize::new(0), is_stopped: AtomicBool::new(false), progress }
     }
 
@@ -131,7 +131,7 @@ impl<'a> Meter<'a> {
         if self.is_stopped.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    fn one_more(&self) -> Result<(), Stopped> {
+    pub(super) fn one_more(&self) -> Result<(), Stopped> {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if (self.progress)(done as f32 / self.total as f32).is_break() {
             self.is_stopped.store(true, Ordering::Relaxed);

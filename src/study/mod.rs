@@ -1,9 +1,55 @@
 //! The paper's evidence, measured: what each model costs in accuracy and robustness.
+//!
+//! | question | file |
+//! |---|---|
+//! | how far from the truth? | `accuracy` |
+//! | what does converting parameters as colours change? | `conversion` |
+//! | what does blending parameters change? | `blending`, and on a painted sphere `painted` |
+//! | what does storing them with few digits change? | `quantisation` |
+//! | does one parameter leave the other's meaning alone? | `decoupling` |
+//! | do equal steps of a slider look equal? | `uniformity` |
+//! | which r and h are reflectances? | `feasibility` |
+//!
+//! A [`Subject`] is what a demonstration is about; [`Contestants`] are its four descriptions in one space.
 
 mod accuracy;
+mod blending;
 mod candidate;
+mod conversion;
+mod csv_text;
+mod decoupling;
+mod distribution;
+mod feasibility;
+mod painted;
+mod parameters;
+mod quantisation;
+mod subject;
 mod summary;
+mod uniformity;
 
 pub use accuracy::{AccuracyRow, accuracy, no_progress};
+pub use blending::{
+    BLEND_STEPS, Blend, BlendPair, BlendRow, BlendedParameters, WorstBlend, blend_matrix, blend_spread, blend_weights,
+    blending,
+};
 pub use candidate::{Candidate, CandidateError};
+pub use conversion::{
+    ColourConversion, ConversionOptions, ConversionRow, ConversionSummary, ConvertedParameters, conversion,
+    conversion_of, conversion_spread, conversions,
+};
+pub use csv_text::rows_to_csv;
+pub use decoupling::{
+    CrossTalkRow, Decoupling, DecouplingOptions, DecouplingRow, SWEEP_STEPS, Sweep, Swept, decoupling,
+};
+pub use distribution::Distribution;
+pub use feasibility::{BoundaryRow, MetalPoint, feasibility_boundary, feasibility_summary, metal_points};
+pub use painted::{Painted, colour_at, painted_sphere};
+pub use parameters::{Pair, Parameters};
+pub use quantisation::{
+    Encoding, GRADIENT_COLUMNS, NK_SCALE, Quantisation, QuantisationRow, Quantised, Storage, quantisation,
+};
+pub use subject::{Contestants, StudyError, Subject};
 pub use summary::{Summary, summaries};
+pub use uniformity::{
+    Reach, Slider, SliderSweep, StepRow, UniformityOptions, UniformityRow, uniformity, uniformity_summary,
+};
