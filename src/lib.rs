@@ -20,6 +20,7 @@
 //! | [`render`] | spheres and difference pictures, on the CPU |
 //! | [`figure`] | plots and strips as SVG or PNG |
 //! | [`export`] | what a preset says to each renderer |
+//! | [`import`] | what other programs say about a metal |
 //! | [`kernel`] | the models over slices of `f32`, for speed |
 //!
 //! The library knows nothing of windows, arguments or printing: `cli` and `gui` are two shells over it.
@@ -30,6 +31,7 @@ pub mod figure;
 pub mod file;
 pub mod fit;
 pub mod fresnel;
+pub mod import;
 pub mod kernel;
 pub mod metal;
 pub mod photo;

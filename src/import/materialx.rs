@@ -1,0 +1,107 @@
+//! MaterialX: the four nodes that describe a metal.
+
+use super::imported::{Found, Imported};
+use super::materialx_node::{Document, Node};
+use super::{ImportError, xml};
+use crate::color::{Rgb, RgbSpace};
+use crate::fresnel::FresnelModel;
+
+const METALS: [&str; 4] = ["open_pbr_surface", "generalized_schlick_bsdf", "standard_surface", "conductor_bsdf"];
+
+/// Above this r MaterialX's artistic_ior clips, whatever the document says.
+const ARTISTIC_IOR_MAX_R: f64 = 0.99;
+
+/// Every metal of a document. One that cannot be read is noted; if none can, its reason is the error.
+pub(super) fn read(text: &str, space: Option<RgbSpace>) -> Result<Imported, ImportError> {
+    let document = Document::new(xml::elements(text)?);
+    if document.root().is_none_or(|root| root.tag != "materialx") {
+        return Err(ImportError::Xml("its root is not <materialx>".to_owned()));
+    }
+    let mut imported = Imported::default();
+    let mut refusal = None;
+    for node in document.nodes(&METALS) {
+        let added = found(node, space, &mut imported).and_then(|found| imported.add(found));
+        if let Err(error) = added {
+            imported.notes.push(error.to_string());
+            refusal = refusal.or(Some(error));
+        }
+    }
+    if imported.presets.is_empty() {
+        return Err(refusal.unwrap_or(ImportError::NoMetal("the document")));
+    }
+    Ok(imported)
+}
+
+fn found(node: Node<'_>, space: Option<RgbSpace>, imported: &mut Imported) -> Result<Found, ImportError> {
+    let (names, read): (&[&str], Reader) = match node.tag() {
+        "open_pbr_surface" => (&["base_color", "specular_color"], open_pbr),
+        "generalized_schlick_bsdf" => (&["color0", "color82"], generalized_schlick),
+        "standard_surface" => (&["base_color", "specular_color"], standard_surface),
+        _ => (&["ior", "extinction"], conductor),
+    };
+    let (model, roughness) = read(node, imported)?;
+    let space = node.space(names)?.or(space);
+    let name = node.material_name().to_owned();
+    let space = imported.space_or_assumed(space, &format!("“{name}”"));
+    Ok(Found { name, space, model, roughness: Some(roughness) })
+}
+
+type Reader = fn(Node<'_>, &mut Imported) -> Result<(FresnelModel, f64), ImportError>;
+
+/// OpenPBR 1.1 with the defaults of MaterialX 1.39: base_weight scales r, specular_weight would scale the edge too.
+fn open_pbr(node: Node<'_>, _: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
+    node.must_be("base_metalness", 1.0, 0.0)?;
+    node.must_be("specular_weight", 1.0, 1.0)?;
+    let r = node.colour("base_color", Rgb::splat(0.8))? * node.float("base_weight", 1.0)?;
+    let t = node.colour("specular_color", Rgb::WHITE)?;
+    Ok((FresnelModel::F82Tint { r, t }, node.float("specular_roughness", 0.3)?))
+}
+
+/// With a white edge and an exponent of 5 it is F82-tint, which is exact.
+fn generalized_schlick(node: Node<'_>, _: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
+    node.must_be("weight", 1.0, 1.0)?;
+    let [r0, t, r90] = ["color0", "color82", "color90"].map(|name| node.colour(name, Rgb::WHITE));
+    let (r0, t, r90, p) = (r0?, t?, r90?, node.float("exponent", 5.0)?);
+    if p <= 0.0 {
+        return Err(node.refused(format!("exponent is {p}; it must be above 0")));
+    }
+    let roughness = node.alpha("roughness", 0.05)?.sqrt();
+    if r90 == Rgb::WHITE && p == 5.0 {
+        return Ok((FresnelModel::F82Tint { r: r0, t }, roughness));
+    }
+    Ok((FresnelModel::GeneralizedSchlick { r0, t, r90, p }, roughness))
+}
+
+/// Autodesk Standard Surface 1.0.1: (r, g) through artistic_ior.
+fn standard_surface(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
+    node.must_be("metalness", 1.0, 0.0)?;
+    let r = node.colour("base_color", Rgb::splat(0.8))? * node.float("base", 1.0)?;
+    let g = node.colour("specular_color", Rgb::WHITE)? * node.float("specular", 1.0)?;
+    Ok((artistic_ior(node, r, g, imported), node.float("specular_roughness", 0.2)?))
+}
+
+/// n and k as values, or r and g through an artistic_ior node.
+fn conductor(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
+    node.must_be("weight", 1.0, 1.0)?;
+    let roughness = node.alpha("roughness", 0.05)?.sqrt();
+    if let Some(source) = node.common_source(["ior", "extinction"]).filter(|source| source.tag() == "artistic_ior") {
+        let r = source.colour("reflectivity", Rgb([0.944, 0.776, 0.373]))?;
+        let g = source.colour("edge_color", Rgb([0.998, 0.981, 0.751]))?;
+        return Ok((artistic_ior(node, r, g, imported), roughness));
+    }
+    let n = node.colour("ior", Rgb([0.183, 0.421, 1.373]))?;
+    let k = node.colour("extinction", Rgb([3.424, 2.346, 1.770]))?;
+    if n.min_channel() < 0.0 || k.min_channel() < 0.0 {
+        return Err(node.refused("a negative ior or extinction is no metal".to_owned()));
+    }
+    Ok((FresnelModel::Conductor { n, k }, roughness))
+}
+
+/// What MaterialX shows for r and g.
+fn artistic_ior(node: Node<'_>, r: Rgb, g: Rgb, imported: &mut Imported) -> FresnelModel {
+    let clipped = r.map(|r| r.clamp(0.0, ARTISTIC_IOR_MAX_R));
+    if clipped != r {
+        imported.notes.push(format!("“{}” has r outside 0–0.99, which MaterialX clips, and so does this", node.name()));
+    }
+    FresnelModel::Gulbrandsen { r: clipped, g }
+}

@@ -1,0 +1,179 @@
+//! Does what leaves Edgewise come back, and is everything else refused or read with a word?
+
+use edgewise::color::{Rgb, RgbSpace};
+use edgewise::export::{Options, Target, export, export_all};
+use edgewise::fresnel::{CosTheta, FresnelModel, whole_degrees};
+use edgewise::import::{ImportFormat, Imported, import};
+use edgewise::preset::{Preset, built_in_presets};
+
+fn preset(name: &str, r: [f64; 3], h: [f64; 3]) -> Preset {
+    Preset { name: name.to_owned(), r: Rgb(r), h: Rgb(h), roughness: 0.3, ..Preset::new_authored() }
+}
+
+fn gold_and_chromium() -> [Preset; 2] {
+    [
+        preset("gold", [1.0, 0.782, 0.344], [0.986, 0.882, 0.630]),
+        preset("chromium", [0.635, 0.662, 0.705], [0.576, 0.612, 0.697]),
+    ]
+}
+
+fn there_and_back(preset: &Preset, target: Target, space: RgbSpace) -> Imported {
+    let exported = export(preset, target, &Options { space: Some(space) }).unwrap();
+    let file = &exported.files[0];
+    import(ImportFormat::of_name(&file.name).unwrap(), &file.bytes, None).unwrap()
+}
+
+fn distance(a: &Preset, b: &Preset) -> f64 {
+    let [a, b] = [a, b].map(|preset| preset.in_space(RgbSpace::LinRec709).model());
+    whole_degrees().map(|c| a.reflectance(c).max_abs_difference(b.reflectance(c))).fold(0.0, f64::max)
+}
+
+#[test]
+fn exact_targets_come_back() {
+    for preset in gold_and_chromium() {
+        for target in [Target::Json, Target::OpenPbr, Target::GeneralizedSchlick, Target::Gltf] {
+            for &space in target.spaces() {
+                let back = there_and_back(&preset, target, space);
+                assert!(back.notes.is_empty(), "{target}: {:?}", back.notes);
+                let back = &back.presets[0];
+                assert_eq!((back.name.as_str(), back.space), (preset.name.as_str(), space), "{target}");
+                assert!((back.roughness - preset.roughness).abs() < 1e-7, "{target}");
+                assert!(distance(&preset, back) < 1e-6, "{target} {space}: {}", distance(&preset, back));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_built_in_preset_comes_back_as_far_as_its_loss_says() {
+    for preset in built_in_presets() {
+        for target in [Target::OpenPbr, Target::GeneralizedSchlick, Target::Gltf] {
+            let exported = export(preset, target, &Options::default()).unwrap();
+            let file = &exported.files[0];
+            let back = import(ImportFormat::of_name(&file.name).unwrap(), &file.bytes, None).unwrap();
+            let told = exported.losses.first().map_or(0.0, |loss| loss.difference.max_delta_f);
+            let off = distance(preset, &back.presets[0]);
+            assert!((off - told).abs() < 1e-6, "{} {target}: {off} {told}", preset.name);
+        }
+    }
+}
+
+/// g is fitted on the way out; on the way in its curve is read at 0° and 81.8°, and the note has the residual.
+#[test]
+fn standard_surface_comes_back_with_its_losses_told() {
+    for preset in gold_and_chromium() {
+        let back = there_and_back(&preset, Target::StandardSurface, RgbSpace::LinRec709);
+        assert_eq!(back.notes.len(), 1, "{:?}", back.notes);
+        assert!(back.notes[0].contains("Gulbrandsen (r, g)") && back.notes[0].contains("ΔE2000"));
+        assert!(distance(&preset, &back.presets[0]) < 0.03);
+    }
+}
+
+#[test]
+fn palettes_come_back_in_pairs() {
+    let presets = gold_and_chromium();
+    for (target, tolerance) in [(Target::Gpl, 0.005), (Target::Ase, 1e-6)] {
+        let exported = export_all(&presets, target, &Options::default()).unwrap();
+        let file = &exported.files[0];
+        let back = import(ImportFormat::of_name(&file.name).unwrap(), &file.bytes, None).unwrap();
+        assert_eq!((back.presets.len(), back.notes.len()), (2, 0));
+        for (before, after) in presets.iter().zip(&back.presets) {
+            assert!(distance(before, after) < tolerance, "{target} {}", before.name);
+        }
+    }
+}
+
+fn materialx(body: &str) -> String {
+    format!("<materialx version=\"1.39\" colorspace=\"acescg\">{body}</materialx>")
+}
+
+fn read_materialx(body: &str) -> Result<Imported, String> {
+    import(ImportFormat::MaterialX, materialx(body).as_bytes(), None).map_err(|error| error.to_string())
+}
+
+/// The gold of MaterialX's artistic_ior, by its default index, by values and through the node that makes them.
+#[test]
+fn conductors_become_the_r_and_h_of_their_curve() {
+    let wanted = FresnelModel::Conductor { n: Rgb([0.183, 0.421, 1.373]), k: Rgb([3.424, 2.346, 1.770]) };
+    let by_node = "<artistic_ior name=\"a\" type=\"multioutput\"/><conductor_bsdf name=\"c\" type=\"BSDF\">\
+                   <input name=\"ior\" type=\"color3\" nodename=\"a\" output=\"ior\"/>\
+                   <input name=\"extinction\" type=\"color3\" nodename=\"a\" output=\"extinction\"/></conductor_bsdf>";
+    // The node states r and g to three digits.
+    for (body, tolerance) in [("<conductor_bsdf name=\"c\" type=\"BSDF\"/>", 1e-12), (by_node, 5e-3)] {
+        let back = read_materialx(body).unwrap();
+        let preset = &back.presets[0];
+        assert_eq!((preset.space, back.notes.len()), (RgbSpace::AcesCg, 1));
+        assert!(preset.r.max_abs_difference(wanted.reflectance(CosTheta::FACING)) < tolerance);
+        assert!(preset.h.max_abs_difference(wanted.reflectance(CosTheta::MAX)) < tolerance);
+    }
+}
+
+#[test]
+fn what_r_and_h_cannot_say_is_refused() {
+    let input = |name: &str, rest: &str| format!("<input name=\"{name}\" type=\"float\" {rest}/>");
+    let open_pbr = |inputs: &str| read_materialx(&format!("<open_pbr_surface name=\"m\">{inputs}</open_pbr_surface>"));
+    let metal = input("base_metalness", "value=\"1\"");
+    assert!(open_pbr(&metal).is_ok());
+    for (inputs, reason) in [
+        (String::new(), "base_metalness is 0"),
+        (metal.clone() + &input("specular_weight", "value=\"0.5\""), "specular_weight is 0.5"),
+        (metal.clone() + &input("base_color", "nodename=\"image\""), "comes from another node"),
+        (metal.clone() + &input("base_color", "value=\"1, 1\""), "colour of three numbers"),
+        (metal.clone() + &input("base_color", "value=\"nan, 1, 1\""), "nan"),
+        (metal.clone() + &input("specular_roughness", "value=\"1e999\""), "1e999"),
+        (metal.clone() + &input("specular_roughness", "value=\"-1\""), "0–1"),
+        (metal.clone() + &input("base_color", "colorspace=\"lin_rec709\" value=\"1, 1, 1\""), "different spaces"),
+    ] {
+        let error = open_pbr(&inputs).unwrap_err();
+        assert!(error.contains(reason), "{error}");
+    }
+    assert!(read_materialx("<image name=\"i\"/>").unwrap_err().contains("no metal"));
+    assert!(import(ImportFormat::MaterialX, b"<a/>", None).unwrap_err().to_string().contains("materialx"));
+}
+
+/// One sentence, no panic, and time in proportion to the size.
+#[test]
+fn hostile_files_are_refused() {
+    let bomb = "<!DOCTYPE materialx [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;&a;&a;\">]><materialx x=\"&b;\"/>";
+    let attributes: String = (0..200_000).map(|i| format!(" a{i}='1'")).collect();
+    let nodes = "<open_pbr_surface name=\"m\"><input name=\"x\" nodename=\"m\"/></open_pbr_surface>".repeat(90_000);
+    let deep_json = "[".repeat(100_000);
+    let glb = export(&gold_and_chromium()[0], Target::Gltf, &Options::default()).unwrap().files.remove(0).bytes;
+    let ase = export(&gold_and_chromium()[0], Target::Ase, &Options::default()).unwrap().files.remove(0).bytes;
+    let mut cases: Vec<(ImportFormat, Vec<u8>)> = vec![
+        (ImportFormat::MaterialX, bomb.into()),
+        (ImportFormat::MaterialX, materialx(&format!("<a{attributes}/>")).into()),
+        (ImportFormat::MaterialX, "<materialx>".repeat(100_000).into()),
+        (ImportFormat::MaterialX, materialx(&nodes).into()),
+        (ImportFormat::MaterialX, vec![0xff; 1000]),
+        (ImportFormat::Preset, deep_json.clone().into()),
+        (ImportFormat::Preset, b"{\"edgewise\":1,\"edgewise\":1}".to_vec()),
+        (ImportFormat::Gltf, deep_json.into()),
+        (ImportFormat::Gltf, b"{\"asset\":{\"version\":\"2.0\"},\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1e999,1,1,1]}}]}".to_vec()),
+        (ImportFormat::Gltf, b"{\"asset\":{\"version\":\"2.0\"}}".to_vec()),
+        (ImportFormat::Ase, b"ASEF\0\x01\0\0\xff\xff\xff\xff".to_vec()),
+        (ImportFormat::Ase, b"ASEF\0\x01\0\0\0\0\0\x01\0\x01\xff\xff\xff\xff".to_vec()),
+        (ImportFormat::Gpl, b"GIMP Palette\n999 1 1 x\n".to_vec()),
+        (ImportFormat::Table, vec![b','; 1_000_000]),
+        (ImportFormat::Values, vec![b'\n'; 1_000_000]),
+        (ImportFormat::Gpl, vec![b' '; 17 << 20]),
+    ];
+    for format in [
+        ImportFormat::Preset,
+        ImportFormat::MaterialX,
+        ImportFormat::Gltf,
+        ImportFormat::Table,
+        ImportFormat::Values,
+        ImportFormat::Ase,
+        ImportFormat::Gpl,
+    ] {
+        cases.push((format, Vec::new()));
+        cases.push((format, b"\0\0\0\0\0\0\0\0".to_vec()));
+    }
+    cases.extend((0..glb.len().min(4000)).step_by(97).map(|end| (ImportFormat::Gltf, glb[..end].to_vec())));
+    cases.extend((0..ase.len()).map(|end| (ImportFormat::Ase, ase[..end].to_vec())));
+    for (format, bytes) in cases {
+        let error = import(format, &bytes, None).expect_err("refused").to_string();
+        assert!(!error.is_empty() && error.chars().count() < 400 && !error.contains('\n'), "{format:?}: {error}");
+    }
+}
