@@ -2,9 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-/// A linear map from values to places in points.
+/// A map from values to places in points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axis {
+    is_log: bool,
     /// Values at the two ends.
     pub(super) values: (f64, f64),
     /// Places of the two ends.
@@ -14,18 +15,26 @@ pub(super) struct Axis {
 impl Axis {
     /// From the value at one place to the value at another.
     pub(super) const fn new(values: (f64, f64), places: (f64, f64)) -> Self {
-        Self { values, places }
+        Self { is_log: false, values, places }
+    }
+
+    /// The same between positive values, equal factors being equally far apart.
+    pub(super) const fn log(values: (f64, f64), places: (f64, f64)) -> Self {
+        Self { is_log: true, values, places }
     }
 
     /// The place of a value.
     pub(super) fn at(self, value: f64) -> f64 {
-        let share = (value - self.values.0) / (self.values.1 - self.values.0);
+        let scale = |v: f64| if self.is_log { v.log10() } else { v };
+        let (first, last) = (scale(self.values.0), scale(self.values.1));
+        let share = (scale(value) - first) / (last - first);
         self.places.0 + share * (self.places.1 - self.places.0)
     }
 
     /// Round values from end to end.
     pub(super) fn ticks(self, about: usize) -> Vec<f64> {
-        ticks(self.values.0..=self.values.1, about)
+        let (first, last) = self.values;
+        if self.is_log { log_ticks(first..=last) } else { ticks(first..=last, about) }
     }
 }
 
@@ -43,6 +52,14 @@ pub(super) fn ticks(range: RangeInclusive<f64>, about: usize) -> Vec<f64> {
     let first = (range.start() / step - 1e-9).ceil() as i64;
     let last = (range.end() / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// 1, 2 and 5 times powers of ten within a range of positive values; powers alone where it is wide.
+fn log_ticks(range: RangeInclusive<f64>) -> Vec<f64> {
+    let (first, last) = (range.start().log10().floor() as i32, range.end().log10().ceil() as i32);
+    let factors: &[f64] = if last - first > 4 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+    let all = (first..=last).flat_map(|power| factors.iter().map(move |factor| factor * 10.0_f64.powi(power)));
+    all.filter(|v| (range.start() * (1.0 - 1e-9)..=range.end() * (1.0 + 1e-9)).contains(v)).collect()
 }
 
 /// The range widened to multiples of a round step.
@@ -68,6 +85,13 @@ mod tests {
         assert_eq!(ticks(0.31..=0.99, 4), [0.4, 0.6000000000000001, 0.8]);
         assert_eq!(rounded_out(0.31..=0.99, 4), 0.2..=1.0);
         assert_eq!(ticks(0.0..=13.7, 4), [0.0, 5.0, 10.0]);
+    }
+
+    #[test]
+    fn log_axes_have_equal_factors_equally_far_apart() {
+        let axis = Axis::log((1.0, 100.0), (0.0, 200.0));
+        assert!((axis.at(10.0) - 100.0).abs() < 1e-9);
+        assert_eq!(axis.ticks(5), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0]);
     }
 
     #[test]

@@ -279,7 +279,7 @@ impl Painter<'_> {
         let places = spread(&wanted, DELTA_E_LABEL, top + 4.0..=bottom - LABEL_GAP);
         for (index, (delta_e, place)) in all.iter().zip(places).enumerate() {
             self.name(&self.figure.models[index].label, place, self.model_ink(index), Weight::SemiBold);
-            let numbers = format!("mean {:.2}  max {:.1}", delta_e.mean, delta_e.max);
+            let numbers = format!("mean {:.2}  max {:.2}", delta_e.mean, delta_e.max);
             let baseline = place + TO_BASELINE + 15.0;
             let numbers = Label::new(numbers, self.layout.left - GUTTER, baseline, em::SMALL, self.palette.muted);
             self.drawing.text(numbers.aligned(Align::Right));

@@ -4,7 +4,7 @@ use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
 use plotters::prelude::{Circle, DrawingBackend, PathElement, Polygon, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color as _, RGBAColor, ShapeStyle, TextStyle};
+use plotters::style::{Color as _, FontTransform, RGBAColor, ShapeStyle, TextStyle};
 
 use super::style::{Dashes, Ink, SOLID};
 use super::text::{LINE_HEIGHT_PER_EM, Weight, font, text_width};
@@ -40,17 +40,24 @@ pub struct Label {
     pub weight: Weight,
     /// Its colour.
     pub ink: Ink,
+    /// It reads upwards: `x` is then the place of its baseline and `baseline` that of its beginning.
+    pub is_upright: bool,
 }
 
 impl Label {
     /// Regular text whose left end is at `x`.
     pub fn new(text: impl Into<String>, x: f64, baseline: f64, em: f64, ink: Ink) -> Self {
-        Self { text: text.into(), x, baseline, align: Align::Left, em, weight: Weight::Regular, ink }
+        Self { text: text.into(), x, baseline, align: Align::Left, em, weight: Weight::Regular, ink, is_upright: false }
     }
 
     /// The same text held at another end.
     pub fn aligned(self, align: Align) -> Self {
         Self { align, ..self }
+    }
+
+    /// The same text, reading upwards from a point.
+    pub fn upright(self) -> Self {
+        Self { is_upright: true, ..self }
     }
 
     /// The same text in semi-bold.
@@ -66,12 +73,19 @@ impl Label {
     /// Left, top, right and bottom of the box that capitals and descenders fill.
     pub fn bounds(&self) -> [f64; 4] {
         let width = self.width();
-        let left = match self.align {
-            Align::Left => self.x,
-            Align::Centre => self.x - width / 2.0,
-            Align::Right => self.x - width,
+        let before = match self.align {
+            Align::Left => 0.0,
+            Align::Centre => width / 2.0,
+            Align::Right => width,
         };
-        [left, self.baseline - 0.73 * self.em, left + width, self.baseline + 0.22 * self.em]
+        let (above, below) = (0.73 * self.em, 0.22 * self.em);
+        if self.is_upright {
+            let bottom = self.baseline + before;
+            [self.x - above, bottom - width, self.x + below, bottom]
+        } else {
+            let left = self.x - before;
+            [left, self.baseline - above, left + width, self.baseline + below]
+        }
     }
 }
 
@@ -212,13 +226,15 @@ fn text_element(label: &Label, scale: f64) -> Text<'_, (i32, i32), &str> {
         Align::Centre => HPos::Center,
         Align::Right => HPos::Right,
     };
+    let upwards = if label.is_upright { FontTransform::Rotate270 } else { FontTransform::None };
     let style = TextStyle {
         color: colour(label.ink).to_backend_color(),
         pos: Pos::new(h_pos, VPos::Top),
-        ..TextStyle::from(font(label.weight, label.em * scale))
+        ..TextStyle::from(font(label.weight, label.em * scale).transform(upwards))
     };
-    let top = label.baseline - BASELINE_EM * label.em;
-    Text::new(label.text.as_str(), ((label.x * scale).round() as i32, (top * scale).round() as i32), style)
+    let hang = BASELINE_EM * label.em;
+    let (x, y) = if label.is_upright { (label.x - hang, label.baseline) } else { (label.x, label.baseline - hang) };
+    Text::new(label.text.as_str(), ((x * scale).round() as i32, (y * scale).round() as i32), style)
 }
 
 fn colour(ink: Ink) -> RGBAColor {

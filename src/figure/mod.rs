@@ -4,19 +4,37 @@
 //! plotters backend, and from there to an SVG document or an anti-aliased PNG.
 
 mod axis;
+mod bars;
 #[cfg(test)]
 mod check;
 mod curve;
 mod curve_layout;
+mod difference;
+mod distribution;
 mod drawing;
+mod feasible;
+mod matrix;
 mod output;
+mod page;
+mod place;
+mod scatter;
 mod spread;
 mod strip;
 mod style;
+mod swatch;
+mod table;
 mod text;
 
-pub use curve::{CurveFigure, CurveSeries, curve_figure};
+pub use bars::{Bar, BarFigure};
+pub use curve::{CurveFigure, CurveSeries, DeltaE, curve_angles, curve_figure};
+pub use difference::DifferenceFigure;
+pub use distribution::DistributionFigure;
 pub use drawing::{Align, Drawing, Inset, Label, Point, Shape};
+pub use feasible::{FeasibleFigure, FeasiblePoint};
+pub use matrix::MatrixFigure;
 pub use output::{Figure, FigureFormat};
+pub use scatter::{ScatterFigure, ScatterPoint};
 pub use style::{FigureTheme, Ink, Palette};
+pub use swatch::{SwatchFigure, swatch_figure};
+pub use table::{HeatRow, HeatTable};
 pub use text::{Weight, text_width};

@@ -8,7 +8,7 @@ use super::style::Ink;
 use crate::color::{Rgb, RgbSpace, srgb8};
 
 /// Thickness of the line under what sRGB cannot show.
-const CLIP_MARK: f64 = 1.5;
+pub(super) const CLIP_MARK: f64 = 1.5;
 
 /// Draws colours at equal steps from 0° to 90° as a row, underlined in `mark` where sRGB cannot show them.
 ///

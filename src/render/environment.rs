@@ -81,13 +81,13 @@ impl Environment {
             return self.clone();
         }
         let lobe = self.lobe(alpha);
-        let width = ((32.0 / alpha) as usize).next_power_of_two().clamp(64, self.levels[0].width.max(64));
+        let width = ((8.0 / alpha) as usize).next_power_of_two().clamp(64, self.levels[0].width.max(64));
         Self::from_fn(width, |direction| self.mean_over_lobe(&lobe, Vector::from(direction)))
     }
 
     /// Directions around z with their weights and the level to take them from.
     fn lobe(&self, alpha: f64) -> Vec<(Vector, f64, usize)> {
-        const SAMPLES: u32 = 128;
+        const SAMPLES: u32 = 64;
         let texel = 4.0 * PI / self.levels[0].radiance.len() as f64;
         let sample = |index| {
             let facet = facet_around_z(hammersley(index, SAMPLES), alpha);

@@ -66,7 +66,7 @@ pub const PANORAMA_MEAN: f64 = 0.45;
 static ENVIRONMENTS: LazyLock<[Environment; 5]> = LazyLock::new(|| {
     [
         Environment::from_fn(4, |_| Rgb::WHITE),
-        Environment::from_fn(512, soft_boxes),
+        Environment::from_fn(256, soft_boxes),
         panorama(include_bytes!("../../assets/environments/studio.hdr")),
         panorama(include_bytes!("../../assets/environments/apartment.hdr")),
         panorama(include_bytes!("../../assets/environments/city.hdr")),
@@ -85,13 +85,13 @@ fn panorama(file: &[u8]) -> Environment {
 
 /// A large box above left, a strip at the right, a gradient from floor to ceiling. The viewer is at +z.
 fn soft_boxes([x, y, z]: [f64; 3]) -> Rgb {
-    let gradient = 0.035 + 0.16 * smooth_step(-1.0, 1.0, y);
+    let gradient = 0.05 + 0.3 * smooth_step(-1.0, 1.0, y);
     let (azimuth_deg, elevation_deg) = (x.atan2(z).to_degrees(), y.asin().to_degrees());
     let soft_box = |azimuth: f64, elevation: f64, half_width: f64, half_height: f64| {
         let inside = |offset: f64, half: f64| smooth_step(half + 3.0, half - 3.0, offset.abs());
         inside(azimuth_deg - azimuth, half_width) * inside(elevation_deg - elevation, half_height)
     };
-    let boxes = soft_box(-48.0, 38.0, 34.0, 26.0) + 0.55 * soft_box(82.0, 8.0, 14.0, 46.0);
+    let boxes = soft_box(-48.0, 38.0, 34.0, 26.0) + 0.75 * soft_box(82.0, 8.0, 14.0, 46.0);
     Rgb::splat(gradient + (1.0 - gradient) * boxes)
 }
 

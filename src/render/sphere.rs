@@ -39,12 +39,13 @@ impl SphereView {
     /// The view of a sphere in a picture of `size` × `size` pixels (at least 8), its light in values of `space`.
     pub fn new(size: u32, light: Light, roughness: f64, space: RgbSpace) -> Self {
         let size = size.max(8);
-        let environment = light.environment().converted(RgbSpace::LinRec709, space).blurred(roughness);
-        let radiance = |direction| match light {
-            Light::White => [1.0; 3],
-            _ => environment.radiance(direction),
+        let rows = match light {
+            Light::White => rows_of(size, &|_| [1.0; 3]),
+            _ => {
+                let environment = light.environment().converted(RgbSpace::LinRec709, space).blurred(roughness);
+                rows_of(size, &|direction| environment.radiance(direction))
+            }
         };
-        let rows = (0..size).into_par_iter().map(|row| Row::new(row, size, &radiance)).collect();
         Self { size, space, roughness, rows }
     }
 
@@ -61,6 +62,10 @@ impl SphereView {
         pixels.zip(&self.rows).for_each(|((linear, coverage), row)| row.render(&reflectance, linear, coverage));
         picture
     }
+}
+
+fn rows_of(size: u32, radiance: &(impl Fn([f64; 3]) -> [f32; 3] + Sync)) -> Vec<Row> {
+    (0..size).into_par_iter().map(|row| Row::new(row, size, radiance)).collect()
 }
 
 impl Row {

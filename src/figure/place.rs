@@ -1,0 +1,137 @@
+//! Names beside points of a plane, without overlap.
+
+use super::drawing::{Align, Drawing, Label, Point};
+use super::page::{HAIR, TO_BASELINE};
+use super::style::{Ink, SOLID, em};
+
+/// A box: left, top, right, bottom.
+type Bounds = [f64; 4];
+
+/// Where names may stand, and what they must not cover.
+#[derive(Debug)]
+pub(super) struct Places {
+    limits: Bounds,
+    taken: Vec<Bounds>,
+    lines: Vec<[Point; 2]>,
+}
+
+/// Directions in the order they are tried: right, left, above, below, the corners.
+const DIRECTIONS: [(f64, f64); 8] =
+    [(1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (0.0, 1.0), (0.7, -0.7), (-0.7, -0.7), (0.7, 0.7), (-0.7, 0.7)];
+/// Distances from the point in the order they are tried; from the second on, a leader joins name and point.
+const DISTANCES: [f64; 6] = [8.0, 16.0, 26.0, 38.0, 52.0, 68.0];
+
+impl Places {
+    /// Room inside `limits` beside dots of a radius.
+    pub(super) fn new(limits: Bounds, dots: &[Point], radius: f64) -> Self {
+        let mut places = Self { limits, taken: Vec::new(), lines: Vec::new() };
+        dots.iter().for_each(|&dot| places.keep_free(dot, radius));
+        places
+    }
+
+    /// Keeps a square around a point free of names.
+    pub(super) fn keep_free(&mut self, (x, y): Point, half: f64) {
+        self.taken.push([x - half, y - half, x + half, y + half]);
+    }
+
+    /// Keeps names and leaders off a line.
+    pub(super) fn keep_clear_of(&mut self, line: &[Point]) {
+        self.lines.extend(line.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+
+    /// Writes a name as near to its point as there is room; false if there is none.
+    pub(super) fn write(&mut self, drawing: &mut Drawing, text: &str, point: Point, ink: Ink, leader: Ink) -> bool {
+        let candidates = DISTANCES.iter().flat_map(|&distance| DIRECTIONS.map(|direction| (distance, direction)));
+        for (distance, (dx, dy)) in candidates {
+            let (x, y) = (point.0 + dx * distance, point.1 + dy * distance);
+            let align = match dx {
+                d if d > 0.0 => Align::Left,
+                d if d < 0.0 => Align::Right,
+                _ => Align::Centre,
+            };
+            let label = Label::new(text, x, y + TO_BASELINE, em::SMALL, ink).aligned(align);
+            let line = (distance > DISTANCES[0])
+                .then_some([(point.0 + dx * 6.0, point.1 + dy * 6.0), (x - dx * 2.0, y - dy * 5.0)]);
+            if self.is_free(label.bounds()) && line.is_none_or(|line| self.is_clear(line)) {
+                if let Some(line) = line {
+                    drawing.line(&line, HAIR, SOLID, leader);
+                    self.lines.push(line);
+                }
+                self.taken.push(label.bounds());
+                drawing.text(label);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Nothing is in the box.
+    fn is_free(&self, bounds: Bounds) -> bool {
+        let ([left, top, right, bottom], [l, t, r, b]) = (bounds, self.limits);
+        let is_inside = left >= l && top >= t && right <= r && bottom <= b;
+        let overlaps = |[l, t, r, b]: &Bounds| left < *r && *l < right && top < *b && *t < bottom;
+        let is_crossed = |line: &[Point; 2]| crosses_box(*line, bounds);
+        is_inside && !self.taken.iter().any(overlaps) && !self.lines.iter().any(is_crossed)
+    }
+
+    /// A leader meets no name, no dot and no other line.
+    fn is_clear(&self, line: [Point; 2]) -> bool {
+        let own_dot = |bounds: &Bounds| contains(grown(*bounds, 3.0), line[0]);
+        let meets_box = |bounds: &Bounds| !own_dot(bounds) && crosses_box(line, *bounds);
+        !self.taken.iter().any(meets_box) && !self.lines.iter().any(|other| crosses(line, *other))
+    }
+}
+
+fn grown([left, top, right, bottom]: Bounds, by: f64) -> Bounds {
+    [left - by, top - by, right + by, bottom + by]
+}
+
+fn contains([left, top, right, bottom]: Bounds, (x, y): Point) -> bool {
+    (left..=right).contains(&x) && (top..=bottom).contains(&y)
+}
+
+fn crosses_box(line: [Point; 2], bounds: Bounds) -> bool {
+    let [left, top, right, bottom] = bounds;
+    let diagonals = [[(left, top), (right, bottom)], [(left, bottom), (right, top)]];
+    line.iter().any(|&end| contains(bounds, end)) || diagonals.into_iter().any(|diagonal| crosses(line, diagonal))
+}
+
+/// Two segments cross when each separates the ends of the other.
+fn crosses([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    let side = |from: Point, to: Point, p: Point| (to.0 - from.0) * (p.1 - from.1) - (to.1 - from.1) * (p.0 - from.0);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_cross_where_they_should() {
+        let across = [(0.0, 0.0), (10.0, 10.0)];
+        assert!(crosses(across, [(0.0, 10.0), (10.0, 0.0)]));
+        assert!(!crosses(across, [(0.0, 1.0), (9.0, 10.0)]));
+        assert!(crosses_box(across, [4.0, 4.0, 6.0, 6.0]) && !crosses_box(across, [4.0, 0.0, 6.0, 3.0]));
+    }
+
+    #[test]
+    fn names_avoid_each_other_and_lines() {
+        let ink = Ink::hex(0);
+        let mut drawing = Drawing::new("", 200.0, 200.0, ink);
+        let point = (100.0, 100.0);
+        let mut places = Places::new([0.0, 0.0, 200.0, 200.0], &[point], 3.0);
+        places.keep_clear_of(&[(110.0, 0.0), (110.0, 200.0)]);
+        assert!((0..4).all(|i| places.write(&mut drawing, &format!("name {i}"), point, ink, ink)));
+        let boxes: Vec<Bounds> = drawing.labels().map(Label::bounds).collect();
+        assert!(boxes.iter().all(|[left, _, right, _]| *right < 110.0 || *left > 110.0));
+        super::super::check::assert_texts_are_legible(&drawing);
+    }
+
+    #[test]
+    fn where_there_is_no_room_it_is_said() {
+        let ink = Ink::hex(0);
+        let mut drawing = Drawing::new("", 20.0, 20.0, ink);
+        let mut places = Places::new([0.0, 0.0, 20.0, 20.0], &[], 0.0);
+        assert!(!places.write(&mut drawing, "a long name", (10.0, 10.0), ink, ink));
+    }
+}
