@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::drawing::{Align, Drawing, Label, Point};
 use super::output::Figure;
 use super::page::{Frame, HEADING, MARGIN, Page};
-use super::place::Places;
+use super::place::{Places, left_out_note};
 use super::style::{FigureTheme, Ink, SOLID, em, model_dashes};
 use crate::fresnel::{feasible_h, h_of_schlick, reachable_h};
 
@@ -74,11 +74,8 @@ impl Figure for FeasibleFigure {
         let unnamed =
             named.filter(|(point, dot)| !places.write(&mut page.drawing, &point.label, **dot, ink, mark)).count();
         self.crosses(&mut page, &crosses);
-        let beyond = self.points.len() - shown.len();
-        if beyond + unnamed > 0 {
-            let note = format!("{beyond} points lie beyond the axes, {unnamed} are not named for want of room.");
-            page.caption(&note, LEFT, size.1 - 14.0, Align::Left);
-        }
+        let note = left_out_note(self.points.len() - shown.len(), unnamed);
+        page.caption(&note, LEFT, size.1 - 14.0, Align::Left);
         page.drawing
     }
 }
@@ -147,6 +144,6 @@ mod tests {
         };
         let drawing = figure.drawing(FigureTheme::Light);
         assert_texts_are_legible(&drawing);
-        assert!(drawing.labels().any(|label| label.text.starts_with("1 points lie beyond")));
+        assert!(drawing.labels().any(|label| label.text.starts_with("1 point outside")));
     }
 }

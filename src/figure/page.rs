@@ -37,8 +37,11 @@ impl Page {
         Self { drawing, palette }
     }
 
-    /// A small grey text.
+    /// A small grey text, if there is any.
     pub(super) fn caption(&mut self, text: &str, x: f64, baseline: f64, align: Align) {
+        if text.is_empty() {
+            return;
+        }
         self.drawing.text(Label::new(text, x, baseline, em::SMALL, self.palette.muted).aligned(align));
     }
 

@@ -52,7 +52,7 @@ impl Places {
             let label = Label::new(text, x, y + TO_BASELINE, em::SMALL, ink).aligned(align);
             let line = (distance > DISTANCES[0])
                 .then_some([(point.0 + dx * 6.0, point.1 + dy * 6.0), (x - dx * 2.0, y - dy * 5.0)]);
-            if self.is_free(label.bounds()) && line.is_none_or(|line| self.is_clear(line)) {
+            if self.is_free(label.bounds()) && line.is_none_or(|line| self.is_clear(line, point)) {
                 if let Some(line) = line {
                     drawing.line(&line, HAIR, SOLID, leader);
                     self.lines.push(line);
@@ -74,16 +74,11 @@ impl Places {
         is_inside && !self.taken.iter().any(overlaps) && !self.lines.iter().any(is_crossed)
     }
 
-    /// A leader meets no name, no dot and no other line.
-    fn is_clear(&self, line: [Point; 2]) -> bool {
-        let own_dot = |bounds: &Bounds| contains(grown(*bounds, 3.0), line[0]);
-        let meets_box = |bounds: &Bounds| !own_dot(bounds) && crosses_box(line, *bounds);
+    /// A leader from a point meets no name, no other dot and no other line.
+    fn is_clear(&self, line: [Point; 2], own: Point) -> bool {
+        let meets_box = |bounds: &Bounds| !contains(*bounds, own) && crosses_box(line, *bounds);
         !self.taken.iter().any(meets_box) && !self.lines.iter().any(|other| crosses(line, *other))
     }
-}
-
-fn grown([left, top, right, bottom]: Bounds, by: f64) -> Bounds {
-    [left - by, top - by, right + by, bottom + by]
 }
 
 fn contains([left, top, right, bottom]: Bounds, (x, y): Point) -> bool {
@@ -94,6 +89,17 @@ fn crosses_box(line: [Point; 2], bounds: Bounds) -> bool {
     let [left, top, right, bottom] = bounds;
     let diagonals = [[(left, top), (right, bottom)], [(left, bottom), (right, top)]];
     line.iter().any(|&end| contains(bounds, end)) || diagonals.into_iter().any(|diagonal| crosses(line, diagonal))
+}
+
+/// What could not be shown, in one sentence each; empty when all was.
+pub(super) fn left_out_note(not_drawn: usize, not_named: usize) -> String {
+    let part = |count: usize, what: &str| match count {
+        0 => String::new(),
+        1 => format!("1 point {what} "),
+        _ => format!("{count} points {what} "),
+    };
+    let note = part(not_drawn, "outside the axes not drawn.") + &part(not_named, "not named for want of room.");
+    note.trim_end().to_owned()
 }
 
 /// Two segments cross when each separates the ends of the other.

@@ -4,7 +4,7 @@ use super::axis::{Axis, rounded_out};
 use super::drawing::{Align, Drawing, Label, Point};
 use super::output::Figure;
 use super::page::{Frame, HEADING, MARGIN, Page};
-use super::place::Places;
+use super::place::{Places, left_out_note};
 use super::style::{FigureTheme, em, model_dashes};
 
 /// Named points, in series that share a colour, with the Pareto front where both axes are costs.
@@ -18,7 +18,7 @@ pub struct ScatterFigure {
     pub x_name: String,
     /// Name of the vertical axis, with its unit.
     pub y_name: String,
-    /// Equal factors equally far apart on the horizontal axis; points at or below 0 are then left out, and said.
+    /// Equal factors equally far apart on the horizontal axis; points at or below 0 are then not drawn, and counted in a note.
     pub is_x_log: bool,
     /// Names of the series; a single one is not named.
     pub series: Vec<String>,
@@ -109,7 +109,7 @@ impl Figure for ScatterFigure {
             page.drawing.dot(dot, DOT, ink);
         }
         let unnamed = self.names(&mut page, &shown, &dots, &joined);
-        self.note(&mut page, self.points.len() - shown.len(), unnamed, size.1 - 14.0);
+        page.caption(&left_out_note(self.points.len() - shown.len(), unnamed), LEFT, size.1 - 14.0, Align::Left);
         page.drawing
     }
 }
@@ -135,17 +135,6 @@ impl ScatterFigure {
         let (ink, leader) = (page.palette.ink, page.palette.mark);
         let named = shown.iter().zip(dots).filter(|(point, _)| !point.label.is_empty());
         named.filter(|(point, dot)| !places.write(&mut page.drawing, &point.label, **dot, ink, leader)).count()
-    }
-
-    fn note(&self, page: &mut Page, left_out: usize, unnamed: usize, baseline: f64) {
-        let parts = [
-            (left_out > 0).then(|| format!("{left_out} points cannot be drawn on these axes.")),
-            (unnamed > 0).then(|| format!("{unnamed} points are not named for want of room.")),
-        ];
-        let note = parts.into_iter().flatten().collect::<Vec<_>>().join(" ");
-        if !note.is_empty() {
-            page.caption(&note, LEFT, baseline, Align::Left);
-        }
     }
 }
 
@@ -184,7 +173,7 @@ mod tests {
     fn what_cannot_be_drawn_is_said() {
         let log = ScatterFigure { is_x_log: true, ..figure(vec![point("a", 0.0, 1.0), point("b", 10.0, 1.0)]) };
         let drawing = log.drawing(FigureTheme::Dark);
-        assert!(drawing.labels().any(|label| label.text.starts_with("1 points cannot")));
+        assert!(drawing.labels().any(|label| label.text.starts_with("1 point outside")));
         assert_texts_are_legible(&figure(Vec::new()).drawing(FigureTheme::Dark));
     }
 
