@@ -3,8 +3,8 @@
 use half::f16;
 use rayon::prelude::*;
 
-use super::picture::{Stored, triple};
-use super::samples::{Sample, Samples};
+use super::picture::Stored;
+use super::samples::{Sample, Samples, for_each_pixel};
 use super::{Warning, WarningCode};
 
 /// Counts over the stored samples, before any conversion.
@@ -56,19 +56,19 @@ impl Census {
 
 /// Counts in blocks on every core.
 fn count<T: Sample>(samples: &[T], channels: usize) -> Census {
-    const PIXELS_PER_BLOCK: usize = 1 << 16;
+    const PIXELS_PER_BLOCK: usize = 1 << 12;
     let blocks = samples.par_chunks(PIXELS_PER_BLOCK * channels);
     blocks.map(|block| count_block(block, channels)).reduce(Census::default, Census::plus)
 }
 
 fn count_block<T: Sample>(samples: &[T], channels: usize) -> Census {
     let mut census = Census { pixels: samples.len() / channels, ..Census::default() };
-    for pixel in samples.chunks_exact(channels).map(triple) {
-        let any = |is: fn(T) -> bool| usize::from(is(pixel[0]) | is(pixel[1]) | is(pixel[2]));
+    for_each_pixel(samples, channels, |[red, green, blue]| {
+        let any = |is: fn(T) -> bool| usize::from(is(red) | is(green) | is(blue));
         census.clipped += any(|v| v >= T::CLIPPED && v.is_finite());
         census.non_finite += any(|v| !v.is_finite());
         census.negative += any(|v| v.is_negative() && v.is_finite());
-    }
+    });
     census
 }
 

@@ -7,7 +7,7 @@ use moxcms::TransformExecutor;
 use nalgebra::{Matrix3, Vector3};
 
 use super::curve::Curve;
-use super::samples::{Sample, Samples};
+use super::samples::{Sample, Samples, for_each_pixel, triple};
 use crate::color::{Chromaticity, RgbSpace, Xyz, bradford, xyz_from_primaries};
 
 /// A profile that only a colour management system can follow: RGB in, linear RGB of known primaries out.
@@ -22,16 +22,22 @@ pub(super) struct Linearizer {
 
 #[derive(Clone)]
 enum Stage {
-    /// One curve for each channel, with a table of every code for integer samples.
-    Curves { curves: [Curve; 3], tables: [Arc<[f32]>; 3] },
+    /// One curve for each channel.
+    Curves(Arc<Curves>),
     /// A profile with look-up tables.
     Profile(ProfileTransform),
+}
+
+/// One curve for each channel, with a table of every code for integer samples.
+struct Curves {
+    curves: [Curve; 3],
+    tables: [Arc<[f32]>; 3],
 }
 
 impl fmt::Debug for Stage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Curves { curves, .. } => f.debug_tuple("Curves").field(curves).finish(),
+            Self::Curves(curves) => f.debug_tuple("Curves").field(&curves.curves).finish(),
             Self::Profile(_) => f.write_str("Profile"),
         }
     }
@@ -41,7 +47,7 @@ impl Linearizer {
     /// Curves, then a matrix to linear Rec.709, for the depth of `samples`.
     pub fn from_curves(curves: [Curve; 3], matrix: Matrix3<f64>, samples: &Samples) -> Self {
         let tables = tables(&curves, samples);
-        Self { stage: Stage::Curves { curves, tables }, matrix }
+        Self { stage: Stage::Curves(Arc::new(Curves { curves, tables })), matrix }
     }
 
     /// A profile, then a matrix to linear Rec.709.
@@ -59,7 +65,7 @@ impl Linearizer {
     pub fn decode<T: Sample>(&self, pixels: impl Iterator<Item = [T; 3]>, linear: &mut Vec<[f32; 3]>) {
         linear.clear();
         match &self.stage {
-            Stage::Curves { curves, tables } => linear.extend(pixels.map(|pixel| by_curves(pixel, curves, tables))),
+            Stage::Curves(curves) => linear.extend(pixels.map(|pixel| curves.decode(pixel))),
             Stage::Profile(transform) => {
                 let encoded = pixels.flat_map(|pixel| finite(pixel.map(|v| v.fraction() as f32)));
                 let encoded: Vec<f32> = encoded.collect();
@@ -70,10 +76,43 @@ impl Linearizer {
         }
     }
 
+    /// Adds linear values in the primaries of the file to the sums of runs of pixels, as [`decode`](Self::decode)
+    /// would give them. `ends` are the pixels each run ends before, `scratch` is room that can be used again.
+    pub fn add_runs<T: Sample>(
+        &self,
+        pixels: &[T],
+        channels: usize,
+        ends: &[usize],
+        sums: &mut [[f64; 3]],
+        scratch: &mut Vec<[f32; 3]>,
+    ) {
+        let mut start = 0;
+        match &self.stage {
+            Stage::Curves(curves) => {
+                for (end, sum) in ends.iter().zip(sums) {
+                    let run = &pixels[start * channels..end * channels];
+                    let mut of_run = [0.0; 3];
+                    for_each_pixel(run, channels, |pixel| add(&mut of_run, curves.decode(pixel)));
+                    widen(sum, of_run);
+                    start = *end;
+                }
+            }
+            Stage::Profile(_) => {
+                self.decode(pixels.chunks_exact(channels).map(triple), scratch);
+                for (end, sum) in ends.iter().zip(sums) {
+                    let mut of_run = [0.0; 3];
+                    scratch[start..*end].iter().for_each(|linear| add(&mut of_run, *linear));
+                    widen(sum, of_run);
+                    start = *end;
+                }
+            }
+        }
+    }
+
     /// One pixel in linear Rec.709.
     pub fn pixel<T: Sample>(&self, pixel: [T; 3]) -> Vector3<f64> {
         let native = match &self.stage {
-            Stage::Curves { curves, tables } => by_curves(pixel, curves, tables),
+            Stage::Curves(curves) => curves.decode(pixel),
             Stage::Profile(_) => {
                 let mut linear = Vec::with_capacity(1);
                 self.decode(std::iter::once(pixel), &mut linear);
@@ -84,11 +123,31 @@ impl Linearizer {
     }
 }
 
-fn by_curves<T: Sample>(pixel: [T; 3], curves: &[Curve; 3], tables: &[Arc<[f32]>; 3]) -> [f32; 3] {
-    if !pixel.iter().all(|v| v.is_finite()) {
-        return [0.0; 3];
+#[inline]
+fn add(sum: &mut [f32; 3], [red, green, blue]: [f32; 3]) {
+    sum[0] += red;
+    sum[1] += green;
+    sum[2] += blue;
+}
+
+/// Adds the short sum of a run to a long one.
+fn widen(sum: &mut [f64; 3], of_run: [f32; 3]) {
+    sum.iter_mut().zip(of_run).for_each(|(sum, of_run)| *sum += f64::from(of_run));
+}
+
+impl Curves {
+    #[inline]
+    fn decode<T: Sample>(&self, pixel: [T; 3]) -> [f32; 3] {
+        let [red, green, blue] = pixel;
+        if !(red.is_finite() & green.is_finite() & blue.is_finite()) {
+            return [0.0; 3];
+        }
+        [
+            red.decode(&self.tables[0], |x| self.curves[0].decode(x)),
+            green.decode(&self.tables[1], |x| self.curves[1].decode(x)),
+            blue.decode(&self.tables[2], |x| self.curves[2].decode(x)),
+        ]
     }
-    std::array::from_fn(|i| pixel[i].decode(&tables[i], |x| curves[i].decode(x)))
 }
 
 fn finite(pixel: [f32; 3]) -> [f32; 3] {

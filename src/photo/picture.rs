@@ -11,7 +11,7 @@ use super::curve::Curve;
 use super::linearizer::Linearizer;
 use super::orientation::Orientation;
 use super::read;
-use super::samples::{Sample, Samples, flags_of};
+use super::samples::{Sample, Samples, flags_of, triple};
 use super::{ColourRule, PhotoError, Pixel, PixelFlags, Warning};
 use crate::color::Rgb;
 
@@ -172,18 +172,17 @@ impl Stored {
     }
 }
 
-/// A pixel as three channels; grey is three equal ones.
-pub(super) fn triple<T: Sample>(pixel: &[T]) -> [T; 3] {
-    if let [red, green, blue] = *pixel { [red, green, blue] } else { [pixel[0]; 3] }
-}
-
 impl PixelFlags {
     /// The flags that either of two pixels has.
     pub fn or(self, other: Self) -> Self {
         Self {
-            clipped: std::array::from_fn(|i| self.clipped[i] || other.clipped[i]),
-            black: self.black || other.black,
-            non_finite: self.non_finite || other.non_finite,
+            clipped: [
+                self.clipped[0] | other.clipped[0],
+                self.clipped[1] | other.clipped[1],
+                self.clipped[2] | other.clipped[2],
+            ],
+            black: self.black | other.black,
+            non_finite: self.non_finite | other.non_finite,
         }
     }
 }

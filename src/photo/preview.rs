@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::PixelFlags;
-use super::picture::{Photo, Stored, triple};
-use super::samples::{Sample, Samples, flags_of};
+use super::picture::{Photo, Stored};
+use super::samples::{Sample, Samples, flags_of, for_each_pixel};
 
 /// A small copy in linear Rec.709.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,29 +73,34 @@ fn shrink<T: Sample>(stored: &Stored, samples: &[T], [width, height]: [u32; 2]) 
 
 /// A row of the preview from some rows of the file. The matrix comes last: it commutes with means.
 fn small_row<T: Sample>(stored: &Stored, samples: &[T], width: u32, rows: Range<usize>) -> Vec<Small> {
-    let (full_width, channels) = (stored.size[0] as usize, stored.channels);
-    let black = T::black(stored.is_linear);
-    let mut sums = vec![([0.0f64; 3], PixelFlags::default()); width as usize];
-    let mut linear = Vec::with_capacity(full_width);
+    let row_length = stored.size[0] as usize * stored.channels;
+    let ends: Vec<usize> = (0..width as usize).map(|column| covered(column, width, stored.size[0]).end).collect();
+    let mut sums = vec![[0.0; 3]; width as usize];
+    let mut flags = vec![PixelFlags::default(); width as usize];
+    let mut scratch = Vec::new();
     for row in rows.clone() {
-        let pixels = samples[row * full_width * channels..][..full_width * channels].chunks_exact(channels).map(triple);
-        stored.linearizer.decode(pixels.clone(), &mut linear);
-        let mut pixels = pixels;
-        for (column, (sum, flags)) in sums.iter_mut().enumerate() {
-            for values in &linear[covered(column, width, stored.size[0])] {
-                (0..3).for_each(|i| sum[i] += f64::from(values[i]));
-                let stored = pixels.next().expect("as many stored pixels as linear ones");
-                *flags = flags.or(flags_of(stored, black));
-            }
-        }
+        let pixels = &samples[row * row_length..][..row_length];
+        stored.linearizer.add_runs(pixels, stored.channels, &ends, &mut sums, &mut scratch);
+        add_flags(pixels, stored, &ends, &mut flags);
     }
     let matrix = stored.linearizer.matrix();
-    let mean = |(column, (sum, flags)): (usize, ([f64; 3], PixelFlags))| {
-        let count = covered(column, width, stored.size[0]).len() * rows.len();
-        let rgb = matrix * Vector3::from(sum) / count as f64;
-        ([rgb.x as f32, rgb.y as f32, rgb.z as f32], flags)
-    };
-    sums.into_iter().enumerate().map(mean).collect()
+    let starts = std::iter::once(0).chain(ends.iter().copied());
+    let counts = starts.zip(&ends).map(|(start, end)| ((end - start) * rows.len()) as f64);
+    let means = counts.zip(sums).map(|(count, sum)| matrix * Vector3::from(sum) / count);
+    means.map(|mean| [mean.x as f32, mean.y as f32, mean.z as f32]).zip(flags).collect()
+}
+
+/// Marks each run of pixels with the flags that any of them has.
+fn add_flags<T: Sample>(pixels: &[T], stored: &Stored, ends: &[usize], flags: &mut [PixelFlags]) {
+    let (black, channels) = (T::black(stored.is_linear), stored.channels);
+    let mut start = 0;
+    for (end, flags) in ends.iter().zip(flags) {
+        let mut of_run = PixelFlags::default();
+        let run = &pixels[start * channels..end * channels];
+        for_each_pixel(run, channels, |pixel| of_run = of_run.or(flags_of(pixel, black)));
+        *flags = flags.or(of_run);
+        start = *end;
+    }
 }
 
 #[cfg(test)]

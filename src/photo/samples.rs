@@ -150,10 +150,31 @@ impl Sample for f32 {
 
 /// The flags of one pixel.
 pub(super) fn flags_of<T: Sample>(pixel: [T; 3], black: T) -> PixelFlags {
+    let [red, green, blue] = pixel;
     PixelFlags {
-        clipped: pixel.map(|v| v >= T::CLIPPED),
-        black: pixel.iter().all(|v| *v < black),
-        non_finite: !pixel.iter().all(|v| v.is_finite()),
+        clipped: [red >= T::CLIPPED, green >= T::CLIPPED, blue >= T::CLIPPED],
+        black: (red < black) & (green < black) & (blue < black),
+        non_finite: !(red.is_finite() & green.is_finite() & blue.is_finite()),
+    }
+}
+
+/// A pixel as three channels; grey is three equal ones.
+#[inline]
+pub(super) fn triple<T: Sample>(pixel: &[T]) -> [T; 3] {
+    if let [red, green, blue] = *pixel { [red, green, blue] } else { [pixel[0]; 3] }
+}
+
+/// Hands every pixel of a run on as three channels.
+#[inline]
+pub(super) fn for_each_pixel<T: Sample>(run: &[T], channels: usize, mut take: impl FnMut([T; 3])) {
+    if channels == 3 {
+        for pixel in run.as_chunks().0 {
+            take(*pixel);
+        }
+    } else {
+        for value in run {
+            take([*value; 3]);
+        }
     }
 }
 
