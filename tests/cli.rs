@@ -340,6 +340,32 @@ fn study_accuracy_measures_what_it_is_asked() {
 }
 
 #[test]
+fn export_refuses_to_lose_or_to_replace_when_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let strict = refusal(1, &["export", "--metal", "Au", "--to", "open-pbr", "--strict", "-o", path]);
+    assert!(strict.contains("--strict") && folder.path().read_dir().unwrap().next().is_none(), "{strict}");
+    quiet(&["export", "--metal", "Cr", "--to", "open-pbr", "--strict", "-o", path]);
+    assert!(refusal(1, &["export", "--metal", "Cr", "--to", "open-pbr", "-o", path]).contains("--force"));
+    quiet(&["export", "--metal", "Cr", "--to", "open-pbr", "--force", "-o", path]);
+}
+
+#[test]
+fn import_brings_back_what_export_wrote() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    quiet(&["export", "--metal", "Cr", "--to", "open-pbr", "--space", "acescg", "-o", path]);
+    let file = folder.path().join("chromium.acescg.open_pbr.mtlx");
+    quiet(&["import", file.to_str().unwrap(), "-o", path]);
+    let preset = Preset::load(&folder.path().join("chromium.json")).unwrap().preset;
+    let chromium = metal_by_name("Cr").unwrap();
+    assert_eq!(preset.space, RgbSpace::AcesCg);
+    assert!(preset.h.max_abs_difference(chromium.h(RgbSpace::AcesCg)) < 1e-8);
+    assert!(refusal(1, &["import", file.to_str().unwrap(), "-o", path]).contains("--force"));
+    assert!(refusal(1, &["import", "x.blend"]).contains(".mtlx"));
+}
+
+#[test]
 fn export_writes_files_and_says_what_they_lose() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
@@ -405,7 +431,7 @@ fn presets_are_listed_and_written() {
 #[test]
 fn help_names_every_subcommand_and_each_has_both_format_flags() {
     let help = quiet(&["--help"]);
-    for subcommand in ["metals", "presets", "reflect", "convert", "fit", "export", "study", "inspect"] {
+    for subcommand in ["metals", "presets", "reflect", "convert", "fit", "export", "import", "study", "inspect"] {
         assert!(help.contains(&format!("\n  {subcommand} ")), "{help}");
         let path: &[&str] =
             if subcommand == "study" { &["study", "accuracy", "--help"] } else { &[subcommand, "--help"] };

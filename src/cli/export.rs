@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use clap::Args;
 use serde_json::json;
 
@@ -31,6 +31,12 @@ pub struct Export {
     /// The folder to write into; created where missing
     #[arg(long, short, value_name = "DIR", default_value = ".")]
     output: PathBuf,
+    /// Replace files that are there
+    #[arg(long)]
+    force: bool,
+    /// Refuse to write anything that loses something
+    #[arg(long)]
+    strict: bool,
     /// List the targets with what their readers do
     #[arg(long)]
     list: bool,
@@ -45,6 +51,8 @@ impl Export {
         }
         let (presets, mut warnings) = self.presets()?;
         let exports = self.exports(&presets)?;
+        self.refuse_losses(&exports)?;
+        self.refuse_to_replace(&exports)?;
         std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
         for file in exports.iter().flat_map(|(_, exported)| &exported.files) {
             replace_file(&self.output.join(&file.name), &file.bytes)?;
@@ -74,6 +82,25 @@ impl Export {
     fn exports(&self, presets: &[Preset]) -> anyhow::Result<Vec<(Target, Exported)>> {
         let options = Options { space: self.space };
         self.targets.iter().map(|&target| Ok((target, export_all(presets, target, &options)?))).collect()
+    }
+
+    fn refuse_losses(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {
+        let losses: Vec<String> = exports.iter().flat_map(|(target, exported)| sentences(*target, exported)).collect();
+        match losses.first() {
+            Some(first) if self.strict => bail!("{first}; with --strict nothing was written ({} losses)", losses.len()),
+            _ => Ok(()),
+        }
+    }
+
+    fn refuse_to_replace(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {
+        let names = exports.iter().flat_map(|(_, exported)| &exported.files).map(|file| &file.name);
+        let existing: Vec<&String> = names.filter(|name| self.output.join(name).exists()).collect();
+        match existing.first() {
+            Some(first) if !self.force => {
+                bail!("{} is there already ({} files are); --force replaces them", self.path(first), existing.len())
+            }
+            _ => Ok(()),
+        }
     }
 
     fn path(&self, name: &str) -> String {

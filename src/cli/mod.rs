@@ -6,6 +6,7 @@
 //! | `convert` | `edgewise convert`: the same material in other parameters |
 //! | `export` | `edgewise export`: presets as files for renderers |
 //! | `fit` | `edgewise fit`: parameters of models for a measured metal |
+//! | `import` | `edgewise import`: presets from what other programs write |
 //! | `inspect` | `edgewise inspect`: what a photograph says about its colours |
 //! | `metals` | `edgewise metals`: the library of measured data |
 //! | `output` | table, CSV and JSON, one form of each for every subcommand |
@@ -19,6 +20,7 @@ mod arguments;
 mod convert;
 mod export;
 mod fit;
+mod import;
 mod inspect;
 mod metals;
 mod output;
@@ -67,6 +69,8 @@ pub enum Command {
     Presets(presets::Presets),
     /// Write presets for renderers
     Export(export::Export),
+    /// Read presets from what other programs write
+    Import(import::Import),
     /// Measure what the paper claims
     Study(study::Study),
 }
@@ -81,6 +85,7 @@ impl Command {
             Self::Convert(command) => command.run(),
             Self::Presets(command) => command.run(),
             Self::Export(command) => command.run(),
+            Self::Import(command) => command.run(),
             Self::Study(command) => command.run(),
         }
     }

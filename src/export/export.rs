@@ -1,5 +1,7 @@
 //! From presets to files: translate, measure what that loses, write.
 
+use rayon::prelude::*;
+
 use super::edge_tint::EdgeTint;
 use super::loss::{Cause, Difference};
 use super::material::Material;
@@ -35,7 +37,7 @@ pub fn export_as(stem: &str, preset: &Preset, target: Target, options: &Options)
     Ok(Exported { files: vec![ExportFile { name: file_name(stem, target, material.space), bytes }], losses })
 }
 
-/// Writes many presets: a file each, with names that do not meet, or one palette of all.
+/// Writes many presets: a file each, with names that do not meet, or one palette of all. In parallel, in order.
 pub fn export_all(presets: &[Preset], target: Target, options: &Options) -> Result<Exported, ExportError> {
     if presets.is_empty() {
         return Err(ExportError::NoPreset);
@@ -44,13 +46,10 @@ pub fn export_all(presets: &[Preset], target: Target, options: &Options) -> Resu
         return export_palette(presets, target, options);
     }
     let stems = file_stems(presets);
-    let mut all = Exported::default();
-    for (stem, preset) in stems.iter().zip(presets) {
-        let one = export_as(stem, preset, target, options)?;
-        all.files.extend(one.files);
-        all.losses.extend(one.losses);
-    }
-    Ok(all)
+    let pairs = stems.par_iter().zip(presets);
+    let each: Result<Vec<Exported>, ExportError> =
+        pairs.map(|(stem, preset)| export_as(stem, preset, target, options)).collect();
+    Ok(each?.into_iter().fold(Exported::default(), Exported::with))
 }
 
 fn export_palette(presets: &[Preset], target: Target, options: &Options) -> Result<Exported, ExportError> {

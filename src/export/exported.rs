@@ -23,6 +23,15 @@ pub struct Exported {
     pub losses: Vec<Loss>,
 }
 
+impl Exported {
+    /// This and what another export adds.
+    pub(super) fn with(mut self, other: Self) -> Self {
+        self.files.extend(other.files);
+        self.losses.extend(other.losses);
+        self
+    }
+}
+
 /// How to export.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {

@@ -39,6 +39,11 @@ impl ImportFormat {
         })
     }
 
+    /// Refuses a file by its size, before it is read.
+    pub fn check_size(self, bytes: u64) -> Result<(), ImportError> {
+        if bytes > (self.limit_mib() as u64) << 20 { Err(ImportError::TooLarge(self.limit_mib())) } else { Ok(()) }
+    }
+
     /// Geometry makes glTF large; a table of ten thousand metals takes a megabyte.
     const fn limit_mib(self) -> usize {
         match self {
@@ -50,9 +55,7 @@ impl ImportFormat {
 
 /// Reads the presets of a file. `space` is for values that come without a colour space; what a file says wins.
 pub fn import(format: ImportFormat, bytes: &[u8], space: Option<RgbSpace>) -> Result<Imported, ImportError> {
-    if bytes.len() > format.limit_mib() << 20 {
-        return Err(ImportError::TooLarge(format.limit_mib()));
-    }
+    format.check_size(bytes.len() as u64)?;
     let text = || std::str::from_utf8(bytes).map_err(|_| ImportError::NotUtf8);
     match format {
         ImportFormat::Preset => own(text()?),
