@@ -453,13 +453,19 @@ fn the_hash_is_that_of_the_bytes() {
 
 #[test]
 fn reading_can_be_watched_and_cancelled() {
-    let bytes = png([8, 640], ColorType::Rgb, BitDepth::Eight, &CODE.repeat(8 * 640), &[]);
-    let mut heard = Vec::new();
-    let mut listen = |fraction| {
-        heard.push(fraction);
-        if heard.len() == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let error = Photo::from_bytes("a.png", &bytes, &mut listen).unwrap_err();
-    assert!(matches!(error.kind, PhotoErrorKind::Cancelled));
-    assert!(heard.len() == 3 && heard.is_sorted() && heard.iter().all(|v| (0.0..=1.0).contains(v)));
+    let tall = CODE.repeat(8 * 640);
+    let files = [
+        ("a.png", png([8, 640], ColorType::Rgb, BitDepth::Eight, &tall, &[])),
+        ("a.jpg", jpeg([8, 640], &tall, None, None)),
+    ];
+    for (name, bytes) in files {
+        let mut heard = Vec::new();
+        let mut listen = |fraction| {
+            heard.push(fraction);
+            if heard.len() == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let error = Photo::from_bytes(name, &bytes, &mut listen).unwrap_err();
+        assert!(matches!(error.kind, PhotoErrorKind::Cancelled), "{name} {error}");
+        assert!(heard.len() == 3 && heard.is_sorted() && heard.iter().all(|v| (0.0..=1.0).contains(v)));
+    }
 }

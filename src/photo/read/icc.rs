@@ -65,8 +65,11 @@ fn rec709_from_profile(profile: &ColorProfile) -> Result<Matrix3<f64>, String> {
 /// A profile with tables, by way of linear ACES 2065-1, which holds every real surface colour unclamped.
 fn by_tables(profile: &ColorProfile) -> Result<(Linearizer, bool), String> {
     let wide = ColorProfile::new_aces_aces_2065_1_linear();
+    // The perceptual table is the one that every such profile has.
+    let is_colorimetric = profile.lut_a_to_b_colorimetric.is_some();
+    let intent = if is_colorimetric { RenderingIntent::RelativeColorimetric } else { RenderingIntent::Perceptual };
     let options = TransformOptions {
-        rendering_intent: RenderingIntent::RelativeColorimetric,
+        rendering_intent: intent,
         allow_use_cicp_transfer: false,
         prefer_fixed_point: false,
         allow_extended_range_rgb_xyz: true,
@@ -170,6 +173,38 @@ mod tests {
         // The gamma is stored in 8 fractional bits.
         assert!((linearizer.pixel([128u8; 3])[1] - (128.0f64 / 255.0).powf(2.2)).abs() < 1e-3);
         assert!(follow(&profile, &Samples::U8(Vec::new()), 3).is_err());
+    }
+
+    /// A table that holds nothing but the matrix of Rec.2020 must give what the matrix gives, also outside the
+    /// gamut of Rec.709. The table holds 16 bits.
+    #[test]
+    fn a_table_that_holds_a_matrix_agrees_with_it() {
+        use crate::color::{Rgb, RgbSpace};
+        use moxcms::{LutDataType, LutStore, LutType, LutWarehouse};
+        let rec2020 = ColorProfile::new_bt2020();
+        let colorants = rec2020.colorant_matrix().v;
+        let corners = (0..8).map(|i| [i >> 2, (i >> 1) & 1, i & 1].map(f64::from));
+        let xyz = corners.flat_map(|rgb| colorants.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>()));
+        let lut = LutDataType {
+            num_input_channels: 3,
+            num_output_channels: 3,
+            num_clut_grid_points: 2,
+            matrix: moxcms::Matrix3d::IDENTITY,
+            num_input_table_entries: 2,
+            num_output_table_entries: 2,
+            input_table: LutStore::Store16([0, 65_535].repeat(3)),
+            clut_table: LutStore::Store16(xyz.map(|v| (v * 32_768.0).round() as u16).collect()),
+            output_table: LutStore::Store16([0, 65_535].repeat(3)),
+            lut_type: LutType::Lut16,
+        };
+        let mut profile = rec2020;
+        profile.lut_a_to_b_perceptual = Some(LutWarehouse::Lut(lut));
+        for code in [[255, 255, 255], [0, 255, 0], [200, 100, 50], [0, 0, 200]] {
+            let linear = Rgb(code.map(|v| f64::from(v) / 255.0));
+            let expected = RgbSpace::LinRec2020.convert(linear, RgbSpace::LinRec709);
+            let got = Rgb::from(pixel(&profile, code));
+            assert!(got.max_abs_difference(expected) < 3e-3, "{code:?} {got:?} {expected:?}");
+        }
     }
 
     #[test]

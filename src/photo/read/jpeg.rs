@@ -1,6 +1,7 @@
 //! JPEG, 8 bits, grey or three channels.
 
-use zune_core::bytestream::ZCursor;
+use std::cell::Cell;
+
 use zune_core::colorspace::ColorSpace;
 use zune_core::options::DecoderOptions;
 use zune_jpeg::JpegDecoder;
@@ -8,7 +9,8 @@ use zune_jpeg::errors::DecodeErrors;
 
 use super::colour::{Claim, Colour};
 use super::exif::Exif;
-use super::{Decoded, Progress, limits, report};
+use super::watched::Watched;
+use super::{Decoded, Progress, limits};
 use crate::photo::PhotoErrorKind;
 use crate::photo::samples::Samples;
 
@@ -25,8 +27,14 @@ fn damaged(error: DecodeErrors) -> PhotoErrorKind {
 /// Decodes a JPEG. Between markers it is lenient, as cameras are; in the pixels it is strict, since what a
 /// decoder fills in must not be measured.
 pub(super) fn decode(bytes: &[u8], progress: Progress<'_>) -> Result<Decoded, PhotoErrorKind> {
+    let is_cancelled = Cell::new(false);
+    let decoded = decode_watched(bytes, Watched::new(bytes, progress, &is_cancelled));
+    if is_cancelled.get() { Err(PhotoErrorKind::Cancelled) } else { decoded }
+}
+
+fn decode_watched(bytes: &[u8], watched: Watched<'_>) -> Result<Decoded, PhotoErrorKind> {
     let options = DecoderOptions::default().set_max_width(usize::MAX).set_max_height(usize::MAX);
-    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options.set_strict_mode(false));
+    let mut decoder = JpegDecoder::new_with_options(watched, options.set_strict_mode(false));
     decoder.decode_headers().map_err(damaged)?;
     let info = decoder.info().ok_or_else(|| PhotoErrorKind::damaged("JPEG")(&"it has no header"))?;
     let channels = match info.components {
@@ -39,15 +47,12 @@ pub(super) fn decode(bytes: &[u8], progress: Progress<'_>) -> Result<Decoded, Ph
     if !ends_properly(bytes) {
         return Err(PhotoErrorKind::damaged("JPEG")(&"its end is missing"));
     }
-    report(progress, 0, 1)?;
-
     let output = if channels == 1 { ColorSpace::Luma } else { ColorSpace::RGB };
     decoder.set_options(options.set_strict_mode(true).jpeg_set_out_colorspace(output));
     let exif = Exif::read(decoder.exif().map(Vec::as_slice));
     let icc = icc(&decoder, bytes);
     let mut samples = vec![0; size[0] as usize * size[1] as usize * channels as usize];
     decoder.decode_into(&mut samples).map_err(damaged)?;
-    report(progress, 1, 1)?;
 
     Ok(Decoded {
         samples: Samples::U8(samples),
@@ -68,7 +73,7 @@ fn four_channels() -> PhotoErrorKind {
 }
 
 /// The profile that the decoder joined from its parts, or the statement that it could not.
-fn icc(decoder: &JpegDecoder<ZCursor<&[u8]>>, bytes: &[u8]) -> Option<Claim> {
+fn icc(decoder: &JpegDecoder<Watched<'_>>, bytes: &[u8]) -> Option<Claim> {
     const SIGNATURE: &[u8] = b"ICC_PROFILE\0";
     let headers = &bytes[..first_scan(bytes).unwrap_or(0)];
     let is_there = || headers.windows(SIGNATURE.len()).any(|window| window == SIGNATURE);

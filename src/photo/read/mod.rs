@@ -16,6 +16,7 @@ mod png;
 mod raw;
 mod sniff;
 mod tiff;
+mod watched;
 mod webp;
 
 use std::fs::{self, File};
