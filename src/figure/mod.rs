@@ -14,6 +14,7 @@ mod distribution;
 mod drawing;
 mod feasible;
 mod matrix;
+mod of_study;
 mod output;
 mod page;
 mod place;
@@ -32,6 +33,9 @@ pub use distribution::DistributionFigure;
 pub use drawing::{Align, Drawing, Inset, Label, Point, Shape};
 pub use feasible::{FeasibleFigure, FeasiblePoint};
 pub use matrix::MatrixFigure;
+pub use of_study::{
+    accuracy_distribution, accuracy_table, blend_matrix_figure, conversion_distribution, feasible_figure, step_figure,
+};
 pub use output::{Figure, FigureFormat};
 pub use scatter::{ScatterFigure, ScatterPoint};
 pub use style::{FigureTheme, Ink, Palette};
