@@ -8,25 +8,32 @@
 //! | `fit` | `edgewise fit`: parameters of models for a measured metal |
 //! | `import` | `edgewise import`: presets from what other programs write |
 //! | `inspect` | `edgewise inspect`: what a photograph says about its colours |
+//! | `marks` | what a person marks in a photograph |
+//! | `match_photo`, `batch` | `edgewise match`: r and h from one photograph, or from many |
 //! | `metals` | `edgewise metals`: the library of measured data |
 //! | `output` | table, CSV and JSON, one form of each for every subcommand |
 //! | `parameters` | the parameters of a model as rows |
 //! | `presets` | `edgewise presets`: the presets that ship with the program |
 //! | `reflect` | `edgewise reflect`: reflectance over angle |
+//! | `samples` | `edgewise samples`: the rendered photographs inside the program |
 //! | `source` | what material a subcommand is about |
 //! | `study` | `edgewise study`: the paper's evidence, measured |
 
 mod arguments;
+mod batch;
 mod convert;
 mod export;
 mod fit;
 mod import;
 mod inspect;
+mod marks;
+mod match_photo;
 mod metals;
 mod output;
 mod parameters;
 mod presets;
 mod reflect;
+mod samples;
 mod source;
 mod study;
 
@@ -55,8 +62,12 @@ pub struct Arguments {
 /// The subcommands, in the order of the help.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Measure r and h in photographs
+    Match(match_photo::MatchCommand),
     /// Say how a photograph's colours are read, and its values at some pixels
     Inspect(inspect::Inspect),
+    /// List the built-in photographs, or render them again
+    Samples(samples::Samples),
     /// List the measured metals of the library
     Metals(metals::Metals),
     /// Print or plot reflectance over the angle of incidence
@@ -78,6 +89,8 @@ pub enum Command {
 impl Command {
     fn run(self) -> anyhow::Result<Output> {
         match self {
+            Self::Match(command) => command.run(),
+            Self::Samples(command) => command.run(),
             Self::Inspect(command) => command.run(),
             Self::Metals(command) => command.run(),
             Self::Reflect(command) => command.run(),

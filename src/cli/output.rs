@@ -23,18 +23,23 @@ pub enum Format {
 /// The arguments of every subcommand that choose a [`Format`].
 #[derive(Debug, Args)]
 pub struct FormatArguments {
-    /// How to print the result
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    /// How to print the result; a table unless given
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     /// Short for --format json
     #[arg(long, conflicts_with = "format")]
     json: bool,
 }
 
 impl FormatArguments {
-    /// The chosen format.
+    /// The chosen format, a table unless one was chosen.
     pub fn format(&self) -> Format {
-        if self.json { Format::Json } else { self.format }
+        self.chosen().unwrap_or_default()
+    }
+
+    /// The format, if one was chosen.
+    pub fn chosen(&self) -> Option<Format> {
+        if self.json { Some(Format::Json) } else { self.format }
     }
 }
 
@@ -50,16 +55,25 @@ pub struct Output {
 }
 
 impl Output {
-    /// Prints everything. Only here are the standard streams written.
+    /// Prints everything.
     pub fn print(self) -> anyhow::Result<ExitCode> {
         for warning in &self.warnings {
             complain(&format!("warning: {warning}"));
         }
-        let mut stdout = io::stdout().lock();
-        stdout.write_all(self.text.as_bytes())?;
-        stdout.flush()?;
+        print(&self.text)?;
         Ok(if self.is_partial { ExitCode::FAILURE } else { ExitCode::SUCCESS })
     }
+}
+
+fn print(text: &str) -> io::Result<()> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(text.as_bytes())?;
+    stdout.flush()
+}
+
+/// One line on standard output, at once: for results that come one by one.
+pub fn print_line(line: &str) -> io::Result<()> {
+    print(&format!("{line}\n"))
 }
 
 /// One line on standard error. Where even that cannot be written there is nobody to tell.

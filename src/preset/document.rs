@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{FresnelModel, h_of_schlick, t_from_r_h};
 use crate::metal::{Metal, Provenance};
-use crate::photo::Recipe;
+use crate::photo::{Match, Photo, Recipe};
 
 /// A material: two colours a person can see, and where they come from.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +83,18 @@ impl Preset {
             notes: metal.held_ends().sentence(),
             ..Self::new_authored()
         }
+    }
+
+    /// What a match found; `None` unless r and h were measured in every channel. The recipe keeps the rest.
+    pub fn from_match(name: &str, photo: &Photo, matched: &Match) -> Option<Self> {
+        Some(Self {
+            name: name.to_owned(),
+            r: matched.complete_r()?,
+            h: matched.complete_h()?,
+            space: matched.space,
+            origin: Origin::Matched(Box::new(matched.recipe(photo))),
+            ..Self::new_authored()
+        })
     }
 
     /// To be called when a person changes r or h: what was measured or matched is then edited.

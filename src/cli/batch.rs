@@ -1,0 +1,164 @@
+//! `edgewise match` over many photographs: one line of JSON each.
+
+use std::collections::BTreeMap;
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, bail};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use super::match_photo::MatchCommand;
+use super::output::{Format, Output, complain, print_line};
+use super::study::progress_bar;
+use super::usage;
+use crate::photo::{MatchRequest, Untagged};
+
+/// File names that end in one of these are taken for photographs.
+const EXTENSIONS: [&str; 9] = ["png", "jpg", "jpeg", "tif", "tiff", "webp", "exr", "hdr", "pic"];
+
+/// Matches every photograph. One that fails is said and does not stop the rest.
+pub(super) fn run(command: &MatchCommand) -> anyhow::Result<Output> {
+    if matches!(command.format.chosen(), Some(Format::Table | Format::Csv)) {
+        return Err(usage("several photographs give one line of JSON each; there is no other format for them"));
+    }
+    let (photos, mut warnings) = photographs(&command.photos)?;
+    if photos.is_empty() {
+        bail!("there is no photograph in {}", command.photos[0].display());
+    }
+    let request = command.marks.request()?;
+    let task = task(command, &request);
+    let mut results = Results::open(command.results.as_deref(), &task)?;
+    let bar = progress_bar("Matching");
+    bar.set_length(photos.len() as u64);
+    let mut failed = 0;
+    // As many at a time as there are threads: lines come in the order of the files, whatever their number.
+    for some in photos.chunks(rayon::current_num_threads()) {
+        let lines: Vec<Value> = some.par_iter().map(|path| line(command, path, &request, &task, &results)).collect();
+        for line in lines {
+            bar.inc(1);
+            if let Some(error) = line["error"].as_str() {
+                failed += 1;
+                bar.suspend(|| complain(error));
+            }
+            results.append(&line)?;
+            bar.suspend(|| print_line(&line.to_string()))?;
+        }
+    }
+    bar.finish_and_clear();
+    if failed > 0 {
+        warnings.push(format!("{failed} of {} photographs failed", photos.len()));
+    }
+    Ok(Output { warnings, is_partial: failed > 0, ..Output::default() })
+}
+
+/// The files given, and those of folders by name; and a sentence about what was left out of these.
+fn photographs(paths: &[PathBuf]) -> anyhow::Result<(Vec<PathBuf>, Vec<String>)> {
+    let (mut photos, mut warnings) = (Vec::new(), Vec::new());
+    for path in paths {
+        if !path.is_dir() {
+            photos.push(path.clone());
+            continue;
+        }
+        let entries = fs::read_dir(path).with_context(|| path.display().to_string())?;
+        let mut files = entries.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>()?;
+        files.retain(|file| file.is_file());
+        files.sort();
+        let (of_folder, others): (Vec<_>, Vec<_>) = files.into_iter().partition(|file| is_photograph(file));
+        if !others.is_empty() {
+            warnings.push(format!("{}: {} files are no photographs by their names", path.display(), others.len()));
+        }
+        photos.extend(of_folder);
+    }
+    Ok((photos, warnings))
+}
+
+fn is_photograph(path: &Path) -> bool {
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+    EXTENSIONS.contains(&extension.as_str())
+}
+
+/// Everything but the photograph that a line depends on.
+fn task(command: &MatchCommand, request: &MatchRequest) -> Value {
+    let options = command.reading.options();
+    json!({
+        "request": request, "space": command.space, "layer": options.layer,
+        "untagged_is_linear": options.untagged == Untagged::Linear, "presets": command.output,
+    })
+}
+
+/// The line of one photograph: its match, or its error as a sentence.
+fn line(command: &MatchCommand, path: &Path, request: &MatchRequest, task: &Value, results: &Results) -> Value {
+    if let Some(known) = results.known(path) {
+        return known.clone();
+    }
+    let found = matched(command, path, request).unwrap_or_else(|error| json!({ "error": format!("{error:#}") }));
+    let mut line = json!({ "path": path.display().to_string(), "task": task });
+    if let (Some(line), Value::Object(found)) = (line.as_object_mut(), found) {
+        line.extend(found);
+    }
+    line
+}
+
+fn matched(command: &MatchCommand, path: &Path, request: &MatchRequest) -> anyhow::Result<Value> {
+    let matched = command.of_file(path, request)?;
+    let mut value = matched.json()?;
+    if let Some(folder) = &command.output {
+        let saved = folder.join(path.file_name().unwrap_or_default()).with_added_extension("json");
+        value["preset"] = match matched.preset() {
+            Some(preset) => {
+                fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+                preset.save(&saved)?;
+                json!(saved.display().to_string())
+            }
+            None => Value::Null,
+        };
+    }
+    Ok(value)
+}
+
+/// Lines of an earlier run, so that an interrupted one can go on.
+struct Results {
+    path: Option<PathBuf>,
+    known: BTreeMap<String, Value>,
+}
+
+impl Results {
+    /// Reads what is there. Lines about another task, failures and a last line cut short count as not there.
+    fn open(path: Option<&Path>, task: &Value) -> anyhow::Result<Self> {
+        let text = match path.map(fs::read_to_string) {
+            Some(Err(error)) if error.kind() != std::io::ErrorKind::NotFound => {
+                return Err(error).with_context(|| path.unwrap_or(Path::new("")).display().to_string());
+            }
+            Some(Ok(text)) => text,
+            _ => String::new(),
+        };
+        let lines = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+        let same = lines.filter(|line| line["task"] == *task && line["error"].is_null());
+        let known = same.filter_map(|line| Some((line["path"].as_str()?.to_owned(), line))).collect();
+        Ok(Self { path: path.map(Path::to_owned), known })
+    }
+
+    /// The earlier line about a file whose bytes are still the same and whose preset is still there.
+    fn known(&self, path: &Path) -> Option<&Value> {
+        let line = self.known.get(&path.display().to_string())?;
+        let has_preset = line["preset"].as_str().is_none_or(|preset| Path::new(preset).exists());
+        let bytes = fs::read(path).ok()?;
+        let sha256: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        (has_preset && line["photo_sha256"] == json!(sha256)).then_some(line)
+    }
+
+    /// Adds a line that is not there yet.
+    fn append(&mut self, line: &Value) -> anyhow::Result<()> {
+        let Some(path) = &self.path else { return Ok(()) };
+        let key = line["path"].as_str().unwrap_or_default();
+        if line["error"].is_string() || self.known.get(key) == Some(line) {
+            return Ok(());
+        }
+        let write =
+            || OpenOptions::new().create(true).append(true).open(path)?.write_all(format!("{line}\n").as_bytes());
+        write().with_context(|| path.display().to_string())
+    }
+}
