@@ -437,6 +437,13 @@ fn a_folder_gives_one_line_each_and_goes_on() {
     fs::write(&results, &cut[..cut.len() - 40]).unwrap();
     let resumed = run("4");
     assert_eq!(resumed.stdout, output.stdout, "whatever was known and however many threads");
+    let repaired = fs::read_to_string(&results).unwrap();
+    assert_eq!(repaired, cut, "the line that was cut short is whole again");
+
+    fs::write(&results, "a letter\n").unwrap();
+    let other = run("1");
+    assert!(stderr(&other).lines().last().unwrap().contains("line 1 is no result"), "{}", stderr(&other));
+    assert_eq!(fs::read_to_string(&results).unwrap(), "a letter\n");
     assert!(refusal(2, &["match", photos.to_str().unwrap(), "--format", "csv"]).contains("JSON"));
 }
 

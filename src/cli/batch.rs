@@ -126,19 +126,13 @@ struct Results {
 }
 
 impl Results {
-    /// Reads what is there. Lines about another task, failures and a last line cut short count as not there.
+    /// Reads what is there. A last line that was cut short is taken off; lines about another task do not count.
     fn open(path: Option<&Path>, task: &Value) -> anyhow::Result<Self> {
-        let text = match path.map(fs::read_to_string) {
-            Some(Err(error)) if error.kind() != std::io::ErrorKind::NotFound => {
-                return Err(error).with_context(|| path.unwrap_or(Path::new("")).display().to_string());
-            }
-            Some(Ok(text)) => text,
-            _ => String::new(),
-        };
-        let lines = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
-        let same = lines.filter(|line| line["task"] == *task && line["error"].is_null());
+        let Some(path) = path else { return Ok(Self { path: None, known: BTreeMap::new() }) };
+        let lines = lines_of(path).with_context(|| path.display().to_string())?;
+        let same = lines.into_iter().filter(|line| line["task"] == *task);
         let known = same.filter_map(|line| Some((line["path"].as_str()?.to_owned(), line))).collect();
-        Ok(Self { path: path.map(Path::to_owned), known })
+        Ok(Self { path: Some(path.to_owned()), known })
     }
 
     /// The earlier line about a file whose bytes are still the same and whose preset is still there.
@@ -162,3 +156,33 @@ impl Results {
         write().with_context(|| path.display().to_string())
     }
 }
+
+/// The lines of a file of results; none where it is not there yet.
+fn lines_of(path: &Path) -> anyhow::Result<Vec<Value>> {
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    let text = read_results(path)?;
+    let whole = text.rfind('\n').map_or(0, |end| end + 1);
+    let line = |(index, line): (usize, &str)| match serde_json::from_str::<Value>(line) {
+        Ok(value) if value["task"].is_object() => Ok(value),
+        _ => bail!("line {} is no result of a match, so nothing is added to this file", index + 1),
+    };
+    let lines = text[..whole].lines().enumerate().map(line).collect::<anyhow::Result<_>>()?;
+    match &text[whole..] {
+        "" => {}
+        cut if cut.starts_with(FIRST_KEY) => OpenOptions::new().write(true).open(path)?.set_len(whole as u64)?,
+        _ => bail!("the last line is no result of a match, so nothing is added to this file"),
+    }
+    Ok(lines)
+}
+
+fn read_results(path: &Path) -> anyhow::Result<String> {
+    if !path.is_file() {
+        bail!("it is no regular file");
+    }
+    Ok(fs::read_to_string(path)?)
+}
+
+/// How every line begins.
+const FIRST_KEY: &str = "{\"path\":";
