@@ -546,7 +546,7 @@ fn export_writes_files_and_says_what_they_lose() {
     for file in value[0]["files"].as_array().unwrap() {
         assert!(fs::read_to_string(file.as_str().unwrap()).unwrap().contains("open_pbr_surface"));
     }
-    assert!(stderr(&exported).contains("open-pbr: Gold: the reader takes 0 to 1"), "{}", stderr(&exported));
+    assert!(stderr(&exported).contains("open-pbr: Gold: its reader would clip r red"), "{}", stderr(&exported));
 
     let preset = folder.path().join("p.json");
     Preset::new_authored().save(&preset).unwrap();

@@ -1,5 +1,7 @@
 //! `edgewise export`: presets as files for renderers.
 
+use std::fs::File;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
@@ -55,7 +57,7 @@ impl Export {
         self.refuse_to_replace(&exports)?;
         std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
         for file in exports.iter().flat_map(|(_, exported)| &exported.files) {
-            replace_file(&self.output.join(&file.name), &file.bytes)?;
+            self.write(&self.output.join(&file.name), &file.bytes)?;
         }
         warnings.extend(exports.iter().flat_map(|(target, exported)| sentences(*target, exported)));
         let text = match self.format.format() {
@@ -82,6 +84,15 @@ impl Export {
     fn exports(&self, presets: &[Preset]) -> anyhow::Result<Vec<(Target, Exported)>> {
         let options = Options { space: self.space };
         self.targets.iter().map(|&target| Ok((target, export_all(presets, target, &options)?))).collect()
+    }
+
+    /// A file that can be made again is not waited for until it is on the disk: of ten thousand, that takes minutes.
+    fn write(&self, path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+        if path.exists() {
+            return Ok(replace_file(path, bytes)?);
+        }
+        let new = File::options().write(true).create_new(true).open(path);
+        new.and_then(|mut file| file.write_all(bytes)).with_context(|| path.display().to_string())
     }
 
     fn refuse_losses(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {

@@ -98,7 +98,7 @@ impl fmt::Display for Cause {
         match self {
             Self::Clipped(clips) => {
                 let clips: Vec<String> = clips.iter().map(Clip::to_string).collect();
-                write!(f, "the reader takes 0 to 1, so {}", clips.join(", "))
+                write!(f, "its reader would clip {}", clips.join(", "))
             }
             Self::Fitted(what) => write!(f, "{what} can only be fitted to the curve"),
             Self::Rounded(bits) => write!(f, "colours have {bits} bits"),
@@ -159,7 +159,7 @@ mod tests {
         let loss = Loss { preset: "Gold".to_owned(), cause: Cause::Clipped(clips), difference };
         assert_eq!(
             loss.to_string(),
-            "Gold: the reader takes 0 to 1, so t green 1.0123 → 1.0; \
+            "Gold: its reader would clip t green 1.0123 → 1.0; \
              the curve shown is off by at most 0.012 in F and 0.5 in ΔE2000"
         );
     }

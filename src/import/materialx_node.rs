@@ -128,7 +128,7 @@ impl<'a> Node<'a> {
 
     /// The space of the node's colours: the tag of its inputs or of what is around it; `None` where nothing says.
     pub(super) fn space(self, names: &[&str]) -> Result<Option<RgbSpace>, ImportError> {
-        let tags: Vec<Option<&str>> = names.iter().map(|name| self.tag_of(*name)).collect();
+        let tags: Vec<Option<&str>> = names.iter().map(|name| self.tag_of(name)).collect();
         let first = tags.first().copied().flatten();
         if tags.iter().any(|tag| *tag != first) {
             return Err(self.refused("its colours are tagged with different spaces; t and g are no colours".to_owned()));
