@@ -538,6 +538,33 @@ fn import_brings_back_what_export_wrote() {
 }
 
 #[test]
+fn studies_show_what_parameters_cost() {
+    let worst = |rows: &Value, field: &str, parameters: &str| {
+        let own = rows.as_array().unwrap().iter().filter(|row| row["parameters"] == json!(parameters));
+        own.map(|row| row[field].as_f64().unwrap()).fold(0.0, f64::max)
+    };
+    let converted = json(&["study", "conversion", "--metal", "Au", "--json"]);
+    assert!(worst(&converted, "max_delta_e", "h") < 1e-9 && worst(&converted, "max_delta_e", "nk") > 1.0);
+    let blended = json(&["study", "blending", "--a", "Au", "--b", "Cu", "--json"]);
+    assert!(worst(&blended, "max_delta_e", "h") < 1e-9 && worst(&blended, "max_delta_e", "nk") > 0.1);
+    let stored = json(&["study", "storage", "--metal", "Au", "--json"]);
+    assert!(worst(&stored, "edge_delta_e", "h") < worst(&stored, "edge_delta_e", "g"));
+    assert!(stored[0]["bands"].is_u64(), "counts are whole numbers");
+    let moved = json(&["study", "decoupling", "--metal", "Cr", "--json"]);
+    let first = moved.as_array().unwrap().iter().filter(|row| row["swept"] == json!("first"));
+    assert!(
+        first.filter(|row| row["parameters"] == json!("h")).all(|row| row["edge_delta_e"].as_f64().unwrap() < 1e-9)
+    );
+    assert!(quiet(&["study", "sliders", "--format", "csv"]).starts_with("r,slider,reach,steps,"));
+    assert!(
+        quiet(&["study", "feasibility", "--steps", "4", "--format", "csv"])
+            .starts_with("r,feasible_low,feasible_high,")
+    );
+    assert!(quiet(&["study", "feasibility", "--metals"]).contains("Caesium"));
+    assert!(refusal(2, &["study", "feasibility", "--steps", "1"]).contains("whole number"));
+}
+
+#[test]
 fn export_writes_files_and_says_what_they_lose() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
@@ -630,4 +657,57 @@ fn a_reader_that_leaves_is_no_error() {
     let output = Command::new("bash").args(["-c", &script]).output().unwrap();
     assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()));
     assert!(Path::new("/dev/null").exists());
+}
+
+// --- docs/cli.md ---
+
+const CLI_DOCUMENT: &str = include_str!("../docs/cli.md");
+
+/// The part of the document under a heading.
+fn section(heading: &str) -> &'static str {
+    let parts =
+        CLI_DOCUMENT.split("\n## ").find(|part| part.lines().next().unwrap().split(", ").any(|name| name == heading));
+    parts.unwrap_or_else(|| panic!("docs/cli.md has no section {heading}"))
+}
+
+#[test]
+fn the_document_has_a_section_for_each_subcommand() {
+    for subcommand in SUBCOMMANDS {
+        assert!(section(subcommand).contains(&format!("`edgewise {subcommand}")), "{subcommand}");
+    }
+}
+
+#[test]
+fn the_document_names_every_field() {
+    let folder = tempfile::tempdir().unwrap();
+    let photo = sample_file(folder.path(), "gold_tent");
+    let out = folder.path().to_str().unwrap();
+    let runs: [&[&str]; 10] = [
+        &["match", "--sample", "gold_tent"],
+        &["inspect", &photo, "--probe", "0,0"],
+        &["samples"],
+        &["metals", "Au"],
+        &["reflect", "--metal", "Au", "--angles", "0"],
+        &["fit", "--metal", "Cr", "--model", "schlick"],
+        &["convert", "--r", "0.6,0.5,0.4", "--h", "0.7,0.6,0.5", "--to", "f82-tint"],
+        &["presets"],
+        &["export", "--metal", "Cr", "--to", "glsl", "-o", out],
+        &["study", "accuracy", "--metal", "Cr", "--candidate", "hoffman:exact"],
+    ];
+    for arguments in runs {
+        let value = json(&[arguments, &["--json"]].concat());
+        let object = value.get(0).unwrap_or(&value).as_object().unwrap();
+        for name in object.keys() {
+            assert!(
+                section(arguments[0]).contains(&format!("`{name}`")),
+                "docs/cli.md: {} has no `{name}`",
+                arguments[0]
+            );
+        }
+        let _ = fs::remove_file(folder.path().join("chromium.glsl"));
+        let csv = edgewise(&[arguments, &["--format", "csv"]].concat());
+        let header = std::str::from_utf8(&csv.stdout).unwrap().lines().next().unwrap().replace(",true_r,true_h", "");
+        let names_it = section(arguments[0]).contains(&header) || arguments[0] == "study";
+        assert!(names_it, "docs/cli.md: {} has no {header}", arguments[0]);
+    }
 }

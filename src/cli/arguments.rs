@@ -80,6 +80,12 @@ fn stepped(text: &str) -> Result<Vec<f64>, String> {
     Ok((0..=steps as usize).map(|index| (first + index as f64 * step).min(last)).collect())
 }
 
+/// A number of steps that finishes while one looks at it.
+pub fn steps(text: &str) -> Result<usize, String> {
+    let steps = text.parse().ok().filter(|steps| (2..=MOST_ANGLES).contains(steps));
+    steps.ok_or_else(|| format!("“{text}” is no whole number of 2 to {MOST_ANGLES}"))
+}
+
 /// Whole pixel indices: column and row from the top left.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Probes(pub Vec<(u32, u32)>);

@@ -123,7 +123,7 @@ impl Export {
         let mut table = Table::new([("target", "target"), ("file", "file"), ("bytes", "bytes")]);
         for (target, exported) in exports {
             for file in &exported.files {
-                let bytes = Cell::Number(file.bytes.len() as f64, 0);
+                let bytes = Cell::Count(file.bytes.len() as u64);
                 table.push(vec![target.id().into(), Cell::Text(self.path(&file.name)), bytes]);
             }
         }

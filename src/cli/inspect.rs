@@ -75,7 +75,7 @@ impl Inspect {
         for &(column, row) in &self.probe.0 {
             let pixel = photo.pixel(column, row);
             let value = |channel: usize| pixel.map_or(Cell::Nothing, |pixel| Cell::unit(pixel.rgb[channel]));
-            let place = [column, row].map(|v| Cell::Number(f64::from(v), 0));
+            let place = [column, row].map(|v| Cell::Count(v.into()));
             table.push(place.into_iter().chain([0, 1, 2].map(value)).collect());
         }
         table
@@ -84,7 +84,7 @@ impl Inspect {
 
 fn facts(inspection: &Inspection) -> Table {
     let mut table = Table::new([("width", "width"), ("height", "height"), ("colour_rule", "colour rule")]);
-    let size = [inspection.width, inspection.height].map(|v| Cell::Number(f64::from(v), 0));
+    let size = [inspection.width, inspection.height].map(|v| Cell::Count(v.into()));
     table.push(size.into_iter().chain([inspection.colour_rule.as_str().into()]).collect());
     table
 }

@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use anyhow::bail;
 use clap::{Args, ValueEnum};
+use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::preset::pretty_json;
@@ -85,7 +87,7 @@ pub fn complain(sentence: &str) {
 /// A column: its stable name in CSV and JSON, and its title for people, with unit or space.
 #[derive(Clone, Debug)]
 pub struct Column {
-    name: &'static str,
+    name: String,
     title: String,
 }
 
@@ -96,6 +98,8 @@ pub enum Cell {
     Text(String),
     /// A number: so many decimals for people, all digits for machines.
     Number(f64, usize),
+    /// How many.
+    Count(u64),
     /// Yes or no.
     Flag(bool),
     /// There is no value.
@@ -108,10 +112,25 @@ impl Cell {
         Self::Number(value, 6)
     }
 
+    /// The cell of a value; other numbers than counts get three decimals for people.
+    fn of(value: &Value) -> Self {
+        match value {
+            Value::Null => Self::Nothing,
+            Value::Bool(flag) => Self::Flag(*flag),
+            Value::String(text) => Self::Text(text.clone()),
+            Value::Number(number) => match number.as_u64() {
+                Some(count) => Self::Count(count),
+                None => Self::Number(number.as_f64().unwrap_or(f64::NAN), 3),
+            },
+            nested => Self::Text(nested.to_string()),
+        }
+    }
+
     fn for_people(&self) -> String {
         match self {
             Self::Text(text) => text.clone(),
             Self::Number(value, decimals) => format!("{value:.decimals$}"),
+            Self::Count(count) => count.to_string(),
             Self::Flag(flag) => (if *flag { "yes" } else { "" }).to_owned(),
             Self::Nothing => "–".to_owned(),
         }
@@ -120,6 +139,7 @@ impl Cell {
     fn for_csv(&self) -> String {
         match self {
             Self::Number(value, _) => value.to_string(),
+            Self::Count(count) => count.to_string(),
             Self::Flag(flag) => flag.to_string(),
             Self::Text(text) => text.clone(),
             Self::Nothing => String::new(),
@@ -131,6 +151,7 @@ impl Cell {
         match self {
             Self::Text(text) => Value::from(text.as_str()),
             Self::Number(value, _) => Value::from(*value),
+            Self::Count(count) => Value::from(*count),
             Self::Flag(flag) => Value::from(*flag),
             Self::Nothing => Value::Null,
         }
@@ -143,6 +164,11 @@ impl From<&str> for Cell {
     }
 }
 
+/// The title of a field for people: `angle_of_max_deg` is `angle of max (°)`.
+fn title(name: &str) -> String {
+    name.replace("delta_e", "ΔE").replace("_deg", " (°)").replace('_', " ")
+}
+
 /// Rows of results under named columns.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
@@ -153,8 +179,22 @@ pub struct Table {
 impl Table {
     /// An empty table; each column is (stable name, title for people).
     pub fn new<T: Into<String>>(columns: impl IntoIterator<Item = (&'static str, T)>) -> Self {
-        let columns = columns.into_iter().map(|(name, title)| Column { name, title: title.into() }).collect();
+        let columns =
+            columns.into_iter().map(|(name, title)| Column { name: name.to_owned(), title: title.into() }).collect();
         Self { columns, rows: Vec::new() }
+    }
+
+    /// A table of what serialises as objects with the same fields; their names are the columns.
+    pub fn of_rows<T: Serialize>(rows: &[T]) -> anyhow::Result<Self> {
+        let mut table = Self::default();
+        for row in rows {
+            let Value::Object(row) = serde_json::to_value(row)? else { bail!("a row of results is no object") };
+            if table.rows.is_empty() {
+                table.columns = row.keys().map(|name| Column { name: name.clone(), title: title(name) }).collect();
+            }
+            table.push(row.iter().map(|(_, value)| Cell::of(value)).collect());
+        }
+        Ok(table)
     }
 
     /// Adds a row with one cell for each column.
@@ -165,7 +205,7 @@ impl Table {
 
     /// The rows as JSON objects.
     pub fn to_json(&self) -> Value {
-        let names = || self.columns.iter().map(|column| column.name.to_owned());
+        let names = || self.columns.iter().map(|column| column.name.clone());
         let object = |row: &Vec<Cell>| names().zip(row.iter().map(Cell::for_json)).collect::<Map<_, _>>();
         self.rows.iter().map(|row| Value::Object(object(row))).collect()
     }
@@ -173,7 +213,7 @@ impl Table {
     /// A header of the stable names, then one line for each row.
     pub fn to_csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let header = self.columns.iter().map(|column| column.name.to_owned()).collect();
+        let header = self.columns.iter().map(|column| column.name.clone()).collect();
         let rows = self.rows.iter().map(|row| row.iter().map(Cell::for_csv).collect());
         for record in std::iter::once::<Vec<String>>(header).chain(rows) {
             writer.write_record(record).expect("memory takes everything");
@@ -201,7 +241,7 @@ impl Table {
     }
 
     fn is_numeric(&self, column: usize) -> bool {
-        self.rows.iter().any(|row| matches!(row[column], Cell::Number(..)))
+        self.rows.iter().any(|row| matches!(row[column], Cell::Number(..) | Cell::Count(_)))
     }
 
     /// The table in a format; JSON is the list of rows.

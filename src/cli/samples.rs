@@ -39,7 +39,7 @@ fn write_all(folder: &Path) -> anyhow::Result<Table> {
         for (name, bytes) in rendered.files()? {
             let path = folder.join(name);
             replace_file(&path, &bytes)?;
-            table.push(vec![Cell::Text(path.display().to_string()), Cell::Number(bytes.len() as f64, 0)]);
+            table.push(vec![Cell::Text(path.display().to_string()), Cell::Count(bytes.len() as u64)]);
         }
     }
     Ok(table)
