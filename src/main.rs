@@ -9,6 +9,8 @@ fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(code) => return code,
     };
+    // Silent unless RUST_LOG asks: what people must know is said in sentences.
+    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("off")).init();
     match (arguments.command.take(), &arguments.path) {
         (Some(command), _) => cli::run(command),
         (None, Some(path)) if !path.exists() => {

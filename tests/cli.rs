@@ -303,6 +303,21 @@ fn samples_are_listed_with_their_truth() {
 }
 
 #[test]
+fn a_sample_is_matched_with_everything_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let output = edgewise(&["samples", "--match", "gold_tent", "-o", out.to_str().unwrap()]);
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(text.contains("ΔE2000 to the truth of Au_Olmon-ts") && text.contains("true h"), "{text}");
+    assert!(Preset::load(&out.join("gold_tent.json")).is_ok());
+    for name in ["gold_tent_curve.png", "gold_tent_swatches.png"] {
+        assert!(text.contains(name) && image::open(out.join(name)).unwrap().width() > 400, "{name}: {text}");
+    }
+    refusal(2, &["samples", "-o", "somewhere"]);
+}
+
+#[test]
 fn match_has_the_fixed_form_and_finds_the_truth() {
     let folder = tempfile::tempdir().unwrap();
     let photo = sample_file(folder.path(), "gold_tent");

@@ -25,7 +25,7 @@ pub struct Inspect {
 }
 
 /// The arguments of every subcommand that opens photographs: what to do where a file leaves a choice.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct ReadingArguments {
     /// The layer of an OpenEXR file to read
     #[arg(long, value_name = "NAME")]

@@ -8,7 +8,7 @@ use crate::photo::{Area, Card, Circle, LightMode, MatchRequest, MirrorPair, Refe
 
 /// The marks of `edgewise match`. Pixel coordinates count from the top left corner; the centre of the
 /// first pixel is 0.5,0.5.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct MarkArguments {
     /// Where the light comes from: flat-mirror, reference-ball, card, backdrop, solved-light, by-eye, or A–F;
     /// the best that is marked unless given

@@ -11,7 +11,7 @@ use super::marks::MarkArguments;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::{batch, usage};
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
-use crate::figure::{CurveFigure, CurveSeries, Figure, FigureTheme, curve_figure};
+use crate::figure::{CurveFigure, CurveSeries, Figure, FigureTheme, curve_figure, swatch_figure};
 use crate::fresnel::{CosTheta, Weights};
 use crate::metal::metal_by_name;
 use crate::photo::{Match, MatchRequest, Photo, solve};
@@ -19,7 +19,7 @@ use crate::preset::{Preset, pretty_json};
 use crate::sample::{Sample, Truth, sample, samples};
 
 /// Arguments of `edgewise match`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct MatchCommand {
     /// The photograph; several, or a folder of them, give one line of JSON each
     #[arg(required_unless_present = "sample")]
@@ -43,6 +43,9 @@ pub struct MatchCommand {
     /// Draw the curve with its uncertainty into an .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Draw both colours and the strip over the angle into an .svg or .png file
+    #[arg(long, value_name = "FILE")]
+    swatches: Option<PathBuf>,
     /// For several photographs: append the lines to this file, and leave out what it holds already
     #[arg(long, value_name = "FILE")]
     pub(super) results: Option<PathBuf>,
@@ -59,15 +62,27 @@ pub(super) struct Matched {
 }
 
 impl MatchCommand {
-    pub(super) fn run(self) -> anyhow::Result<Output> {
+    pub(super) fn run(&self) -> anyhow::Result<Output> {
         match (&self.sample, &self.photos[..]) {
-            (Some(id), _) => self.of_sample(id)?.into_output(&self),
-            (None, [photo]) if !photo.is_dir() => self.of_file(photo, &self.marks.request()?)?.into_output(&self),
-            (None, _) if self.plot.is_some() || self.name.is_some() => {
-                Err(usage("--plot and --name are for a single photograph"))
+            (Some(id), _) => self.of_sample(id)?.into_output(self),
+            (None, [photo]) if !photo.is_dir() => self.of_file(photo, &self.marks.request()?)?.into_output(self),
+            (None, _) if self.plot.is_some() || self.swatches.is_some() || self.name.is_some() => {
+                Err(usage("--plot, --swatches and --name are for a single photograph"))
             }
-            (None, _) => batch::run(&self),
+            (None, _) => batch::run(self),
         }
+    }
+
+    /// A sample, with everything that can be written about it, in a folder.
+    pub(super) fn of_sample_into(id: &str, folder: &Path, format: FormatArguments) -> Self {
+        let file = |name: &str| Some(folder.join(format!("{id}{name}")));
+        let (output, plot, swatches) = (file(".json"), file("_curve.png"), file("_swatches.png"));
+        Self { sample: Some(id.to_owned()), output, plot, swatches, format, ..Self::default() }
+    }
+
+    /// The files that a preset goes to.
+    fn files(&self) -> Vec<&Path> {
+        [&self.output, &self.plot, &self.swatches].into_iter().flatten().map(PathBuf::as_path).collect()
     }
 
     fn of_sample(&self, id: &str) -> anyhow::Result<Matched> {
@@ -92,22 +107,35 @@ impl Matched {
         let name = command.name.clone().unwrap_or_else(|| self.name());
         let mut warnings = self.warnings();
         let preset = Preset::from_match(&name, &self.photo, &self.result);
-        let is_partial = preset.is_none() && (command.output.is_some() || command.plot.is_some());
-        if is_partial {
-            warnings.push("r and h were not measured in every channel, so there is no preset and no curve".to_owned());
+        let files = command.files();
+        let is_partial = preset.is_none() && !files.is_empty();
+        match &preset {
+            Some(preset) => self.write(command, preset)?,
+            None if is_partial => {
+                warnings.push("r and h were not measured in every channel, so there is no preset to write".to_owned());
+            }
+            None => {}
         }
-        if let (Some(preset), Some(path)) = (&preset, &command.output) {
-            preset.save(path)?;
-        }
-        if let (Some(preset), Some(path)) = (&preset, &command.plot) {
-            self.figure(preset).save(path, FigureTheme::Light)?;
-        }
+        let written = if preset.is_none() || files.is_empty() { String::new() } else { written(&files) };
         let text = match command.format.format() {
             Format::Json => pretty_json(&self.json()?),
             Format::Csv => self.table().to_csv(),
-            Format::Table => format!("{}{}", self.table().to_text(), self.distance_sentence()),
+            Format::Table => format!("{}{}{written}", self.table().to_text(), self.distance_sentence()),
         };
         Ok(Output { text, warnings, is_partial })
+    }
+
+    fn write(&self, command: &MatchCommand, preset: &Preset) -> anyhow::Result<()> {
+        if let Some(path) = &command.output {
+            preset.save(path)?;
+        }
+        if let Some(path) = &command.plot {
+            self.figure(preset).save(path, FigureTheme::Light)?;
+        }
+        if let Some(path) = &command.swatches {
+            swatch_figure(preset).save(path, FigureTheme::Light)?;
+        }
+        Ok(())
     }
 
     /// The name of a preset: the sample's metal, or the file's stem.
@@ -199,6 +227,11 @@ impl Matched {
         let figure = curve_figure(metal, &[], preset.space);
         CurveFigure { title: preset.name.clone(), subtitle, models: vec![matched], ..figure }
     }
+}
+
+fn written(files: &[&Path]) -> String {
+    let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+    format!("Written: {}\n", names.join(", "))
 }
 
 /// u(F) = √((A u(r))² + (B u(h))²): r and h come from different pixels.

@@ -65,7 +65,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Measure r and h in photographs
-    Match(match_photo::MatchCommand),
+    Match(Box<match_photo::MatchCommand>),
     /// Say how a photograph's colours are read, and its values at some pixels
     Inspect(inspect::Inspect),
     /// List the built-in photographs, or render them again

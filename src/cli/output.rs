@@ -23,7 +23,7 @@ pub enum Format {
 }
 
 /// The arguments of every subcommand that choose a [`Format`].
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct FormatArguments {
     /// How to print the result; a table unless given
     #[arg(long, value_enum)]

@@ -6,6 +6,7 @@ use anyhow::Context;
 use clap::Args;
 use serde_json::json;
 
+use super::match_photo::MatchCommand;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use crate::file::replace_file;
 use crate::preset::pretty_json;
@@ -17,12 +18,22 @@ pub struct Samples {
     /// Render the photographs again and write them with their sidecars into this folder
     #[arg(long, value_name = "DIR")]
     write: Option<PathBuf>,
+    /// Match this sample with its own marks and write preset, curve and swatches into --output
+    #[arg(long = "match", value_name = "ID", conflicts_with = "write")]
+    matched: Option<String>,
+    /// The folder of --match; created where missing
+    #[arg(long, short, value_name = "DIR", default_value = ".", requires = "matched")]
+    output: PathBuf,
     #[command(flatten)]
     format: FormatArguments,
 }
 
 impl Samples {
     pub(super) fn run(self) -> anyhow::Result<Output> {
+        if let Some(id) = &self.matched {
+            std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
+            return MatchCommand::of_sample_into(id, &self.output, self.format).run();
+        }
         let text = match (&self.write, self.format.format()) {
             (Some(folder), format) => write_all(folder)?.render(format),
             (None, Format::Json) => pretty_json(&samples().iter().map(document).collect()),
