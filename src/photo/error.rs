@@ -111,7 +111,8 @@ fn described(layers: &[String]) -> String {
 }
 
 /// The first line of what a decoder says, short enough for one sentence.
-fn first_line(text: &str) -> String {
+/// What a decoder says, cut to one line of at most 160 characters.
+pub(super) fn first_line(text: &str) -> String {
     const LONGEST: usize = 160;
     let line = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("no reason given");
     let line = line.trim_end_matches('.');

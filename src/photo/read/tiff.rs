@@ -11,6 +11,7 @@ use super::alpha::{AlphaSample, Opaque};
 use super::colour::{Claim, Colour, Primaries};
 use super::exif::{self, Exif};
 use super::{Decoded, Progress, limits, report, several};
+use crate::photo::error::first_line;
 use crate::photo::samples::Samples;
 use crate::photo::{PhotoErrorKind, Warning};
 
@@ -26,7 +27,9 @@ const INTEROPERABILITY_INDEX: Tag = Tag::Unknown(1);
 
 fn damaged(error: TiffError) -> PhotoErrorKind {
     match error {
-        TiffError::UnsupportedError(what) => unsupported(format!("a TIFF of this kind ({what})")),
+        TiffError::UnsupportedError(what) => {
+            unsupported(format!("a TIFF of this kind ({})", first_line(&what.to_string())))
+        }
         error => PhotoErrorKind::damaged("TIFF")(&error),
     }
 }
