@@ -73,19 +73,30 @@ impl NkTable {
     }
 
     fn push(&mut self, row: usize, wavelength_nm: f64, nk: Nk) -> Result<(), NkTableError> {
-        for (name, value) in [("the wavelength", wavelength_nm), ("n", nk.n), ("k", nk.k)] {
+        Self::check_row(row, self.wavelength_nm.last().copied(), wavelength_nm, &[("n", nk.n), ("k", nk.k)])?;
+        self.wavelength_nm.push(wavelength_nm);
+        self.nk.push(nk);
+        Ok(())
+    }
+
+    /// A row has finite values of at least 0 and a wavelength above the previous one's.
+    pub(super) fn check_row(
+        row: usize,
+        previous_nm: Option<f64>,
+        wavelength_nm: f64,
+        values: &[(&'static str, f64)],
+    ) -> Result<(), NkTableError> {
+        for &(name, value) in [("the wavelength", wavelength_nm)].iter().chain(values) {
             if !(value.is_finite() && value >= 0.0) {
                 return Err(NkTableError::OutOfRange { row, name, value });
             }
         }
-        if let Some(&previous_nm) = self.wavelength_nm.last()
-            && wavelength_nm <= previous_nm
-        {
-            return Err(NkTableError::NotGrowing { row, previous_nm, wavelength_nm });
+        match previous_nm {
+            Some(previous_nm) if wavelength_nm <= previous_nm => {
+                Err(NkTableError::NotGrowing { row, previous_nm, wavelength_nm })
+            }
+            _ => Ok(()),
         }
-        self.wavelength_nm.push(wavelength_nm);
-        self.nk.push(nk);
-        Ok(())
     }
 
     fn check_coverage(&self) -> Result<(), NkTableError> {
