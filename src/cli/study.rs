@@ -9,7 +9,7 @@ use super::demonstrations::{Blending, Conversion, Decoupling, Feasibility, Slide
 use super::output::{FormatArguments, Output, Table};
 use crate::color::RgbSpace;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
-use crate::study::{AccuracyRow, Candidate, accuracy, summaries};
+use crate::study::{AccuracyRow, Candidate, accuracy, evidence_markdown, summaries};
 
 /// Arguments of `edgewise study`.
 #[derive(Debug, Args)]
@@ -54,6 +54,9 @@ struct Accuracy {
     /// One row for each model and space over all metals, instead of one for each metal
     #[arg(long)]
     summary: bool,
+    /// Everything the paper claims, measured, as the Markdown of docs/evidence.md; takes a minute
+    #[arg(long, exclusive = true)]
+    evidence: bool,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -74,6 +77,9 @@ impl Study {
 
 impl Accuracy {
     fn run(self) -> anyhow::Result<Output> {
+        if self.evidence {
+            return evidence();
+        }
         let rows = self.rows()?;
         let table = if self.summary { Table::of_rows(&summaries(&rows)) } else { Table::of_rows(&rows) };
         Ok(Output { text: table?.render(self.format.format()), ..Output::default() })
@@ -99,6 +105,17 @@ impl Accuracy {
             (true, false) => Candidate::without_search(),
         }
     }
+}
+
+fn evidence() -> anyhow::Result<Output> {
+    let bar = progress_bar("Measuring");
+    let progress = |share: f32| {
+        bar.set_position((share * BAR_STEPS as f32) as u64);
+        ControlFlow::Continue(())
+    };
+    let text = evidence_markdown(&progress)?;
+    bar.finish_and_clear();
+    Ok(Output { text, ..Output::default() })
 }
 
 /// The metals of these names; the preferred data set of every material for none.

@@ -219,12 +219,7 @@ fn by_black_box(
             FresnelModel::Hoffman { r, h } => Ok(exact(kind, r, h)),
             other => Ok(other),
         },
-        ModelKind::Constant | ModelKind::Schlick | ModelKind::Hoffman => {
-            search(&[by_least_squares(truth, kind, losses), exact(kind, truth.r(), truth.h)], truth, keep_going)
-        }
-        ModelKind::Lazanyi | ModelKind::GeneralizedSchlick | ModelKind::Gulbrandsen => {
-            search(&[by_least_squares(truth, kind, losses)], truth, keep_going)
-        }
+        _ => search(&[by_least_squares(truth, kind, losses)], truth, keep_going),
     }
 }
 

@@ -2,7 +2,9 @@
 //!
 //! | question | file |
 //! |---|---|
-//! | how far from the truth? | `accuracy` |
+//! | how far from the truth? | `accuracy`, over all metals `summary` |
+//! | how far are published measurements apart? | `spread` |
+//! | which of the paper's claims hold? | `claims`, from all measurements together, `evidence` |
 //! | what does converting parameters as colours change? | `conversion` |
 //! | what does blending parameters change? | `blending`, and on a painted sphere `painted` |
 //! | what does storing them with few digits change? | `quantisation` |
@@ -15,14 +17,18 @@
 mod accuracy;
 mod blending;
 mod candidate;
+mod claims;
 mod conversion;
 mod csv_text;
 mod decoupling;
 mod distribution;
+mod evidence;
+mod evidence_markdown;
 mod feasibility;
 mod painted;
 mod parameters;
 mod quantisation;
+mod spread;
 mod subject;
 mod summary;
 mod uniformity;
@@ -33,6 +39,7 @@ pub use blending::{
     blending,
 };
 pub use candidate::{Candidate, CandidateError};
+pub use claims::{Claim, Verdict};
 pub use conversion::{
     ColourConversion, ConversionOptions, ConversionRow, ConversionSummary, ConvertedParameters, conversion,
     conversion_of, conversion_spread, conversions,
@@ -42,12 +49,15 @@ pub use decoupling::{
     CrossTalkRow, Decoupling, DecouplingOptions, DecouplingRow, SWEEP_STEPS, Sweep, Swept, decoupling,
 };
 pub use distribution::Distribution;
+pub use evidence::Evidence;
+pub use evidence_markdown::evidence_markdown;
 pub use feasibility::{BoundaryRow, MetalPoint, feasibility_boundary, feasibility_summary, metal_points};
 pub use painted::{Painted, colour_at, painted_sphere};
 pub use parameters::{Pair, Parameters};
 pub use quantisation::{
     Encoding, GRADIENT_COLUMNS, NK_SCALE, Quantisation, QuantisationRow, Quantised, Storage, quantisation,
 };
+pub use spread::{SpreadRow, spread};
 pub use subject::{Contestants, StudyError, Subject};
 pub use summary::{Summary, summaries};
 pub use uniformity::{
