@@ -10,7 +10,8 @@ use crate::fresnel::{FresnelModel, whole_degrees};
 use crate::metal::TruthCurve;
 
 /// Enough: the test of convergence works harder and finds nothing better to see.
-const EFFORT: Effort = Effort { restarts: 3, iterations: 600, first_step: 0.05 };
+const EFFORT: Effort =
+    Effort { restarts: 3, iterations: 600, first_step: 0.05, position_tolerance: 1e-4, cost_tolerance: 1e-5 };
 
 /// The model of the same kind as `starts` with the smallest mean ΔE to the truth that the search finds.
 ///
@@ -107,7 +108,7 @@ mod tests {
     /// Four times the work from two other starts improves no fit by what anyone could see.
     #[test]
     fn more_work_finds_nothing_better() {
-        let harder = Effort { restarts: 8, iterations: 1500, first_step: 0.2 };
+        let harder = Effort { restarts: 8, iterations: 1500, first_step: 0.2, ..EFFORT };
         for (name, kind) in
             [("copper", ModelKind::Conductor), ("caesium", ModelKind::Hoffman), ("gold", ModelKind::Lazanyi)]
         {

@@ -72,6 +72,10 @@ pub(super) struct Effort {
     pub iterations: u64,
     /// Edge length of the first simplex; each restart halves it.
     pub first_step: f64,
+    /// A start ends when its simplex is smaller than this…
+    pub position_tolerance: f64,
+    /// …and the values at its corners are nearer to each other than this.
+    pub cost_tolerance: f64,
 }
 
 /// The point with the smallest `f` that Nelder–Mead finds (Gao & Han 2012, with their adaptive coefficients).
@@ -88,7 +92,9 @@ pub(super) fn minimum_near(
     let mut step = effort.first_step;
     for _ in 0..=effort.restarts {
         let problem = SeveralVariables { f: &f, keep_going: &keep_going };
-        let solver = NelderMead::adaptive();
+        let solver = NelderMead::adaptive()
+            .with_absolute_simplex_size_tolerance(effort.position_tolerance)
+            .with_absolute_simplex_cost_tolerance(effort.cost_tolerance);
         let run = Executor::new(problem, solver, SimplexProgress::from_simplex(simplex(&best.0, step)))
             .max_iter(effort.iterations)
             .run()?;
@@ -133,7 +139,8 @@ impl<F: Fn(&[f64]) -> f64> CostFunction for SeveralVariables<'_, '_, F> {
 mod tests {
     use super::*;
 
-    const EFFORT: Effort = Effort { restarts: 3, iterations: 2000, first_step: 0.5 };
+    const EFFORT: Effort =
+        Effort { restarts: 3, iterations: 2000, first_step: 0.5, position_tolerance: 1e-8, cost_tolerance: 1e-12 };
 
     #[test]
     fn finds_a_minimum_inside_and_at_an_end() {

@@ -222,8 +222,8 @@ impl Evidence {
             says: "the model with h has lower error than Schlick",
             verdict: Verdict::of(fewest == srgb.metals, 2 * fewest > srgb.metals),
             found: format!(
-                "lower for {fewest} of {} metals or more in every one of four spaces; mean ΔE {:.2} in linear sRGB and {:.2} in ACEScg, median \
-                 {:.2} and {:.2}; its hard cases are {}",
+                "lower for at least {fewest} of {} metals in each of four spaces; mean ΔE {:.2} in linear sRGB and {:.2} in \
+                 ACEScg, median {:.2} and {:.2}; its hard cases are {}",
                 srgb.metals,
                 srgb.mean_delta_e,
                 acescg.mean_delta_e,
