@@ -558,19 +558,19 @@ fn studies_show_what_parameters_cost() {
         let own = rows.as_array().unwrap().iter().filter(|row| row["parameters"] == json!(parameters));
         own.map(|row| row[field].as_f64().unwrap()).fold(0.0, f64::max)
     };
-    let converted = json(&["study", "conversion", "--metal", "Au", "--json"]);
+    let converted = json(&["study", "conversion", "Au", "--json"]);
     assert!(worst(&converted, "max_delta_e", "h") < 1e-9 && worst(&converted, "max_delta_e", "nk") > 1.0);
-    let blended = json(&["study", "blending", "--a", "Au", "--b", "Cu", "--json"]);
+    let blended = json(&["study", "blending", "Au", "Cu", "--detail", "--json"]);
     assert!(worst(&blended, "max_delta_e", "h") < 1e-9 && worst(&blended, "max_delta_e", "nk") > 0.1);
-    let stored = json(&["study", "storage", "--metal", "Au", "--json"]);
+    let stored = json(&["study", "quantisation", "Au", "--json"]);
     assert!(worst(&stored, "edge_delta_e", "h") < worst(&stored, "edge_delta_e", "g"));
     assert!(stored[0]["bands"].is_u64(), "counts are whole numbers");
-    let moved = json(&["study", "decoupling", "--metal", "Cr", "--json"]);
+    let moved = json(&["study", "decoupling", "Cr", "--json"]);
     let first = moved.as_array().unwrap().iter().filter(|row| row["swept"] == json!("first"));
     assert!(
         first.filter(|row| row["parameters"] == json!("h")).all(|row| row["edge_delta_e"].as_f64().unwrap() < 1e-9)
     );
-    assert!(quiet(&["study", "sliders", "--format", "csv"]).starts_with("r,slider,reach,steps,"));
+    assert!(quiet(&["study", "uniformity", "--format", "csv"]).starts_with("r,slider,reach,steps,"));
     assert!(
         quiet(&["study", "feasibility", "--steps", "4", "--format", "csv"])
             .starts_with("r,feasible_low,feasible_high,")

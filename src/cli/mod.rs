@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `arguments` | triples, angles and other things people type |
 //! | `convert` | `edgewise convert`: the same material in other parameters |
-//! | `demonstrations` | the studies besides accuracy |
 //! | `export` | `edgewise export`: presets as files for renderers |
 //! | `fit` | `edgewise fit`: parameters of models for a measured metal |
 //! | `import` | `edgewise import`: presets from what other programs write |
@@ -23,7 +22,6 @@
 mod arguments;
 mod batch;
 mod convert;
-mod demonstrations;
 mod export;
 mod fit;
 mod import;

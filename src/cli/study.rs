@@ -1,11 +1,16 @@
 //! `edgewise study`: the paper's evidence, measured.
 
+mod blending;
+mod conversion;
+mod demonstrations;
+mod material;
+mod shown;
+
 use std::ops::ControlFlow;
 
 use clap::{Args, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::demonstrations::{Blending, Conversion, Decoupling, Feasibility, Sliders, Storage};
 use super::output::{FormatArguments, Output, Table};
 use crate::color::RgbSpace;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
@@ -23,17 +28,17 @@ enum Subject {
     /// CIEDE2000 of every model against the spectral truth: metals × models × spaces
     Accuracy(Accuracy),
     /// What converting parameters between spaces as if they were colours changes
-    Conversion(Conversion),
+    Conversion(conversion::ConversionCommand),
     /// What blending parameters instead of reflectances changes
-    Blending(Blending),
+    Blending(blending::BlendingCommand),
     /// What storing parameters with few digits changes
-    Storage(Storage),
+    Quantisation(demonstrations::QuantisationCommand),
     /// Whether one parameter leaves the other's meaning alone
-    Decoupling(Decoupling),
+    Decoupling(demonstrations::DecouplingCommand),
     /// Whether equal steps of a slider look equal
-    Sliders(Sliders),
+    Uniformity(demonstrations::UniformityCommand),
     /// Which r and h are reflectances
-    Feasibility(Feasibility),
+    Feasibility(demonstrations::FeasibilityCommand),
 }
 
 #[derive(Debug, Args)]
@@ -67,9 +72,9 @@ impl Study {
             Subject::Accuracy(command) => command.run(),
             Subject::Conversion(command) => command.run(),
             Subject::Blending(command) => command.run(),
-            Subject::Storage(command) => command.run(),
+            Subject::Quantisation(command) => command.run(),
             Subject::Decoupling(command) => command.run(),
-            Subject::Sliders(command) => command.run(),
+            Subject::Uniformity(command) => command.run(),
             Subject::Feasibility(command) => command.run(),
         }
     }
@@ -119,7 +124,7 @@ fn evidence() -> anyhow::Result<Output> {
 }
 
 /// The metals of these names; the preferred data set of every material for none.
-pub(super) fn named_or_preferred(names: &[String]) -> anyhow::Result<Vec<&'static Metal>> {
+fn named_or_preferred(names: &[String]) -> anyhow::Result<Vec<&'static Metal>> {
     if names.is_empty() {
         return Ok(preferred_metals().collect());
     }

@@ -9,6 +9,7 @@ mod bars;
 mod check;
 mod curve;
 mod curve_layout;
+mod demonstration;
 mod difference;
 mod distribution;
 mod drawing;
@@ -28,13 +29,15 @@ mod text;
 
 pub use bars::{Bar, BarFigure};
 pub use curve::{CurveFigure, CurveSeries, DeltaE, curve_angles, curve_figure};
+pub use demonstration::{BlendFigure, ConversionFigure, DecouplingFigure, QuantisationFigure, UniformityFigure};
 pub use difference::DifferenceFigure;
 pub use distribution::DistributionFigure;
 pub use drawing::{Align, Drawing, Inset, Label, Point, Shape};
 pub use feasible::{FeasibleFigure, FeasiblePoint};
 pub use matrix::MatrixFigure;
 pub use of_study::{
-    accuracy_distribution, accuracy_table, blend_matrix_figure, conversion_distribution, feasible_figure, step_figure,
+    accuracy_distribution, accuracy_table, blend_matrix_figure, blend_matrix_of_two, conversion_distribution,
+    feasible_figure, step_figure,
 };
 pub use output::{Figure, FigureFormat};
 pub use scatter::{ScatterFigure, ScatterPoint};

@@ -93,6 +93,18 @@ pub fn blend_matrix_figure(pairs: &[BlendPair], parameters: Parameters) -> Matri
     }
 }
 
+/// Every pair of metals blended half and half in two descriptions: one below the diagonal, one above.
+pub fn blend_matrix_of_two(pairs: &[BlendPair], below: Parameters, above: Parameters) -> MatrixFigure {
+    let mut figure = blend_matrix_figure(pairs, below);
+    for pair in pairs.iter().filter(|pair| pair.parameters == above) {
+        figure.values[pair.index_of_a][pair.index_of_b] = Some(pair.max_delta_e);
+    }
+    MatrixFigure {
+        title: format!("Metals blended half and half: {} below the diagonal, {} above", below.label(), above.label()),
+        ..figure
+    }
+}
+
 /// The (r, h) square with measured metals and, if there is one, the preset being authored.
 pub fn feasible_figure(points: &[MetalPoint], preset: Option<&Preset>) -> FeasibleFigure {
     let channel = |point: &MetalPoint| ["red", "green", "blue"].iter().position(|name| *name == point.channel);

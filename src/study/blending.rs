@@ -139,7 +139,46 @@ pub struct BlendRow {
     pub truth_max_delta_e: f64,
 }
 
+/// One description along the whole slider. The field names are stable.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BlendSummary {
+    /// The material at weight 0.
+    pub a: String,
+    /// The material at weight 1.
+    pub b: String,
+    /// The space in which everything is blended.
+    pub space: RgbSpace,
+    /// `h`, `t`, `g` or `nk`.
+    pub parameters: Parameters,
+    /// Mean CIEDE2000 over the angles, halfway: blended parameters against the blend of their own appearances.
+    pub halfway_mean_delta_e: f64,
+    /// Mean CIEDE2000 to the blended truth, halfway.
+    pub halfway_truth_mean_delta_e: f64,
+    /// Largest CIEDE2000 at any step and angle.
+    pub worst_delta_e: f64,
+    /// The share of `b` there.
+    pub worst_weight: f64,
+    /// The angle there, in degrees.
+    pub worst_theta_deg: f64,
+}
+
 impl Blend {
+    /// One row for each description.
+    pub fn summaries(&self) -> Vec<BlendSummary> {
+        let of = |result: &BlendedParameters| BlendSummary {
+            a: self.a.clone(),
+            b: self.b.clone(),
+            space: self.space,
+            parameters: result.parameters,
+            halfway_mean_delta_e: result.halfway().mean_delta_e,
+            halfway_truth_mean_delta_e: result.truth[BLEND_STEPS / 2].mean_delta_e,
+            worst_delta_e: result.worst.delta_e,
+            worst_weight: result.worst.weight,
+            worst_theta_deg: result.worst.theta_deg,
+        };
+        self.results.iter().map(of).collect()
+    }
+
     /// Every step of every description.
     pub fn rows(&self) -> Vec<BlendRow> {
         self.results.iter().flat_map(|result| (0..=BLEND_STEPS).map(|step| self.row(result, step))).collect()

@@ -27,7 +27,7 @@ pub struct ConversionOptions {
 impl Default for ConversionOptions {
     /// Textures painted in sRGB, rendered in ACEScg: the everyday case.
     fn default() -> Self {
-        Self { from: RgbSpace::LinRec709, to: RgbSpace::AcesCg, method: Method::LeastSquares }
+        Self { from: RgbSpace::LinRec709, to: RgbSpace::AcesCg, method: Method::ColourMatching }
     }
 }
 

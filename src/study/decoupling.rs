@@ -224,6 +224,21 @@ impl Decoupling {
         self.sweeps.iter().flat_map(|sweep| sweep.rows.iter().cloned()).collect()
     }
 
+    /// What had to be limited, as sentences.
+    pub fn warnings(&self) -> Vec<String> {
+        let limited = self.sweeps.iter().filter(|sweep| sweep.left_domain > 0);
+        let sentence = |sweep: &Sweep| {
+            let [first, edge] = sweep.parameters.symbols();
+            let symbol = if sweep.swept == Swept::First { first } else { edge };
+            format!(
+                "{}: {} values left their domain while {symbol} was swept and were limited",
+                sweep.parameters.label(),
+                sweep.left_domain
+            )
+        };
+        limited.map(sentence).collect()
+    }
+
     /// One sweep.
     pub fn sweep(&self, parameters: Parameters, swept: Swept) -> Option<&Sweep> {
         self.sweeps.iter().find(|sweep| sweep.parameters == parameters && sweep.swept == swept)

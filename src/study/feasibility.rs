@@ -87,7 +87,7 @@ pub fn feasibility_summary(points: &[MetalPoint]) -> String {
     let names = outside.iter().map(|point| format!("{} {}", point.name.to_lowercase(), point.channel));
     let listed = match outside.len() {
         0 => "all of them lie inside".to_owned(),
-        count @ 1..=6 => format!("{count} lie outside: {}", names.collect::<Vec<_>>().join(", ")),
+        count @ 1..=9 => format!("{count} lie outside: {}", names.collect::<Vec<_>>().join(", ")),
         count => format!("{count} lie outside"),
     };
     format!(

@@ -35,8 +35,8 @@ mod uniformity;
 
 pub use accuracy::{AccuracyRow, accuracy, no_progress};
 pub use blending::{
-    BLEND_STEPS, Blend, BlendPair, BlendRow, BlendedParameters, WorstBlend, blend_matrix, blend_spread, blend_weights,
-    blending,
+    BLEND_STEPS, Blend, BlendPair, BlendRow, BlendSummary, BlendedParameters, WorstBlend, blend_matrix, blend_spread,
+    blend_weights, blending,
 };
 pub use candidate::{Candidate, CandidateError};
 pub use claims::{Claim, Verdict};

@@ -54,6 +54,16 @@ impl Storage {
         }
     }
 
+    /// The distance between neighbouring codes at a value.
+    fn step_at(self, value: f64) -> f64 {
+        match self {
+            Self::Bits8 => 1.0 / 255.0,
+            Self::Bits10 => 1.0 / 1023.0,
+            // Eleven significant bits, and no exponent below −14 (IEEE 754, binary16).
+            Self::Half => (value.abs().log2().floor().max(-14.0) - 10.0).exp2(),
+        }
+    }
+
     /// Whether a number is beyond the largest code.
     fn clips(self, value: f64) -> bool {
         self != Self::Half && !(0.0..=1.0).contains(&value)
@@ -126,6 +136,8 @@ pub struct QuantisationRow {
     pub encoding: Encoding,
     /// Largest CIEDE2000 over the angles with only the edge parameter stored: h, t, g, or k.
     pub edge_delta_e: f64,
+    /// Largest CIEDE2000 that rounding the edge parameter can cause near here: each channel half a code up or down.
+    pub rounding_delta_e: f64,
     /// Largest CIEDE2000 over the angles with all six numbers stored.
     pub all_delta_e: f64,
     /// How many of the six numbers were beyond the largest code.
@@ -177,6 +189,27 @@ impl Way {
         pair.map(|triple| triple.map(|v| self.stored(v, scale))).limited()
     }
 
+    /// Every way in which the channels can be off by half a code, at angles 5° apart and θ_max.
+    fn worst_rounding(self, pair: Pair, space: RgbSpace) -> f64 {
+        let scale = scale(pair.parameters);
+        let angles = || (0..18).map(|step| CosTheta::from_deg(5.0 * f64::from(step))).chain([CosTheta::MAX]);
+        let exact: Vec<Rgb> = angles().map(|angle| pair.reflectance(angle)).collect();
+        let delta_e = |signs: usize| {
+            let sign = |channel: usize| if signs >> channel & 1 == 1 { 0.5 } else { -0.5 };
+            let moved = |channel: usize| self.moved(pair.edge[channel], scale, sign(channel));
+            let off = Pair { edge: Rgb(std::array::from_fn(moved)), ..pair }.limited();
+            let curve: Vec<Rgb> = angles().map(|angle| off.reflectance(angle)).collect();
+            largest(&delta_e_of_curves(&curve, &exact, space))
+        };
+        largest(&[0, 1, 2, 3, 4, 5, 6, 7].map(delta_e))
+    }
+
+    /// The value some codes away from where it is; the steps of a half float are those at the value.
+    fn moved(self, value: f64, scale: f64, codes: f64) -> f64 {
+        let encoded = self.encoding.encode(value / scale);
+        self.encoding.decode(encoded + codes * self.storage.step_at(encoded)) * scale
+    }
+
     fn clipped(self, pair: Pair) -> usize {
         let values = pair.first.0.into_iter().chain(pair.edge.0);
         values.filter(|v| self.storage.clips(v / scale(pair.parameters))).count()
@@ -202,6 +235,7 @@ fn quantised(material: &Contestants, towards: &str, [pair, other]: [Pair; 2], wa
         storage: way.storage,
         encoding: way.encoding,
         edge_delta_e: worst(way.edge_stored(pair)),
+        rounding_delta_e: way.worst_rounding(pair, space),
         all_delta_e: worst(way.all_stored(pair)),
         clipped: way.clipped(pair),
         bands: bands.len(),
@@ -242,11 +276,12 @@ impl Quantisation {
     /// What is seen, with the numbers in it.
     pub fn summary(&self) -> String {
         let edge = |parameters| {
-            self.result(parameters, Storage::Bits8, Encoding::Linear).map_or(f64::NAN, |result| result.row.edge_delta_e)
+            self.result(parameters, Storage::Bits8, Encoding::Linear)
+                .map_or(f64::NAN, |result| result.row.rounding_delta_e)
         };
         format!(
-            "{} in {}: eight linear bits change the appearance by up to {:.2} ΔE where they hold h, {:.2} where t, {:.2} \
-             where g and {:.2} where k.",
+            "{} in {}: rounding to eight linear bits can change the appearance by {:.2} ΔE where they hold h, {:.2} \
+             where t, {:.2} where g and {:.2} where k.",
             self.name,
             self.space.label(),
             edge(Parameters::H),

@@ -75,7 +75,8 @@ pub struct Contestants {
 impl Contestants {
     /// The four descriptions of a subject; `method` derives n, k and g of a measured metal.
     ///
-    /// [`Method::LeastSquares`] is the fair choice: what follows is then the fault of the parameters, not of the fit.
+    /// [`Method::ColourMatching`] is the robust choice. [`Method::LeastSquares`] is nearer to the truth, but leads
+    /// n and k far away where the truth exceeds 1, as gold's red does in linear sRGB.
     /// For colours r is kept and g fitted by least squares, n and k follow from both.
     pub fn of(subject: &Subject<'_>, space: RgbSpace, method: Method) -> Result<Self, StudyError> {
         match *subject {
@@ -104,7 +105,7 @@ impl Contestants {
             truth: truth.rgb().to_vec(),
             truth_at_theta_max: truth.h,
             pairs: pairs(truth.r(), truth.h, &g.model, &nk.model),
-            losses: [said("g", &g.losses), said("n, k", &nk.losses)].concat(),
+            losses: [said("g", &g.losses), said("n, k", &nk.losses), beyond_n_k(metal, &truth)].concat(),
         })
     }
 
@@ -129,6 +130,17 @@ impl Contestants {
     pub fn pair(&self, parameters: Parameters) -> Pair {
         self.pairs[parameters as usize]
     }
+}
+
+/// Channels that reflect more than 1: the nearest n and k are far from any that were measured.
+fn beyond_n_k(metal: &Metal, truth: &TruthCurve) -> Vec<String> {
+    let highest = |channel: usize| truth.channel(channel).map(|(_, f)| f).fold(f64::NEG_INFINITY, f64::max);
+    let sentence = |(channel, name): (usize, &str)| {
+        let highest = highest(channel);
+        let text = format!("the reflectance reaches {highest:.4} in this space, and no n and k reflect more than 1");
+        (highest > 1.0 + 1e-9).then(|| format!("{}, n, k: {name}: {text}", metal.name))
+    };
+    ["red", "green", "blue"].into_iter().enumerate().filter_map(sentence).collect()
 }
 
 fn pairs(r: Rgb, h: Rgb, gulbrandsen: &FresnelModel, conductor: &FresnelModel) -> [Pair; 4] {
