@@ -9,6 +9,7 @@ mod metal;
 mod nk_table;
 mod open;
 mod provenance;
+mod reflectance_table;
 mod truth;
 mod yaml_file;
 
@@ -19,5 +20,6 @@ pub use metal::Metal;
 pub use nk_table::{HeldEnds, NkTable, NkTableError};
 pub use open::MetalFileError;
 pub use provenance::Provenance;
+pub use reflectance_table::ReflectanceTable;
 pub use truth::{SpectralCurve, TruthCurve};
 pub use yaml_file::{NkYamlError, metal_from_yaml};

@@ -16,9 +16,9 @@ pub struct Recipe {
     pub colour_rule: String,
     /// What was marked and how it was solved.
     pub request: MatchRequest,
-    /// Standard uncertainty of r in the preset's space; `None` where r was not measured.
+    /// The ± of r (coverage factor 2) in the preset's space; `None` where r was not measured.
     pub r_uncertainty: [Option<f64>; 3],
-    /// Standard uncertainty of h in the preset's space; `None` where h was not measured.
+    /// The ± of h (coverage factor 2) in the preset's space; `None` where h was not measured.
     pub h_uncertainty: [Option<f64>; 3],
     /// What the match warned of.
     pub warnings: Vec<Warning>,

@@ -39,10 +39,15 @@ pub struct AreaStatistics {
 impl AreaStatistics {
     /// Measures an area. Parts outside the picture are left out.
     pub fn of(photo: &Photo, area: Area) -> Self {
+        Self::of_pixels(photo, area, |pixel| pixel)
+    }
+
+    /// Measures an area after `read` has seen each pixel.
+    pub(super) fn of_pixels(photo: &Photo, area: Area, read: impl Fn(Pixel) -> Pixel) -> Self {
         let mut samples = Samples::default();
         for (column, row) in area.pixels(photo.width, photo.height) {
             if let Some(pixel) = photo.pixel(column, row) {
-                samples.push(pixel, tile_of(area, f64::from(column) + 0.5, f64::from(row) + 0.5));
+                samples.push(read(pixel), tile_of(area, f64::from(column) + 0.5, f64::from(row) + 0.5));
             }
         }
         samples.statistics()

@@ -4,10 +4,9 @@ use thiserror::Error;
 
 use super::camera::{Camera, camera_jpeg, linear_png};
 use super::library::{SampleFacts, Truth};
-use super::optics::ReflectanceTable;
 use super::scene::{Ball, Patch, Scene};
 use super::surroundings::{Dome, Floor, Panorama, PanoramaError, Tent, Vec3};
-use crate::metal::{Metal, UnknownMetal, metal_by_name};
+use crate::metal::{Metal, ReflectanceTable, UnknownMetal, metal_by_name};
 use crate::photo::{Area, Card, Circle, MatchRequest};
 
 /// Why a sample could not be rendered.
@@ -62,7 +61,7 @@ fn gold_in_a_tent() -> Result<Rendered, SampleError> {
     let circle = Circle::new(206.0, 204.0, 132.0);
     let card = [388.0, 178.0, 84.0, 112.0];
     let tent = Tent { top: 0.05, right: -0.02, lens_deg: 5.0, ..Tent::default() };
-    let set = Set { metal, circle, dome: Dome::Tent(tent), floor_albedo: 0.985, floor_ends_at: 7.0 };
+    let set = Set { metal, circle, dome: Dome::Tent(tent), floor_albedo: 0.985, floor_ends_at: 7.0, shadow: 0.14 };
     let scene = set.scene(vec![(card, WHITE_CARD)]);
     let camera = Camera { exposure: 0.66, blur_px: 0.6, noise: 0.0006, seed: 79 };
     let facts = SampleFacts {
@@ -82,13 +81,13 @@ fn chromium_in_a_room() -> Result<Rendered, SampleError> {
     let metal = metal_by_name("chromium")?;
     let circle = Circle::new(222.0, 200.0, 128.0);
     let card = [402.0, 196.0, 72.0, 96.0];
-    let room = Panorama::from_hdr(include_bytes!("../../assets/environments/apartment.hdr"), 4.0)?;
-    let set = Set { metal, circle, dome: Dome::Panorama(room), floor_albedo: 0.45, floor_ends_at: 5.0 };
+    let room = Panorama::from_hdr(include_bytes!("../../assets/environments/apartment.hdr"), 4.0, 60.0)?;
+    let set = Set { metal, circle, dome: Dome::Panorama(room), floor_albedo: 0.45, floor_ends_at: 5.0, shadow: 0.92 };
     let scene = set.scene(vec![(card, WHITE_CARD)]);
-    let camera = Camera { exposure: 0.3, blur_px: 0.6, noise: 0.0015, seed: 24 };
+    let camera = Camera { exposure: 0.28, blur_px: 0.6, noise: 0.0015, seed: 24 };
     let facts = SampleFacts {
         title: "Chromium ball in a room".to_owned(),
-        description: "Windows on one side: what uneven surroundings do, and what warns of them.".to_owned(),
+        description: "Windows on one side: uneven surroundings, and what warns of them.".to_owned(),
         order: 2,
         file: "chromium_room.png".to_owned(),
         environment: "Apartment, a panorama of Poly Haven".to_owned(),
@@ -103,7 +102,7 @@ fn copper_by_camera() -> Result<Rendered, SampleError> {
     let metal = metal_by_name("copper")?;
     let circle = Circle::new(252.0, 232.0, 150.0);
     let tent = Tent { top: 0.1, right: 0.04, lens_deg: 4.0, lamp: 0.5, ..Tent::default() };
-    let set = Set { metal, circle, dome: Dome::Tent(tent), floor_albedo: 0.97, floor_ends_at: 7.0 };
+    let set = Set { metal, circle, dome: Dome::Tent(tent), floor_albedo: 0.97, floor_ends_at: 7.0, shadow: 0.14 };
     let step = |index: usize| [490.0, 70.0 + 57.0 * index as f64, 84.0, 48.0];
     let neutrals: Vec<_> = Card::COLOR_CHECKER_NEUTRALS.into_iter().enumerate().map(|(i, y)| (step(i), y)).collect();
     let scene = Scene { width: 640, height: 480, ..set.scene(neutrals.clone()) };
@@ -116,6 +115,7 @@ fn copper_by_camera() -> Result<Rendered, SampleError> {
         environment: TENT.to_owned(),
         environment_licence: String::new(),
         request: request(circle, neutrals[..1].to_vec()),
+        greys: request(circle, neutrals).cards,
         ..set.facts()
     };
     Ok(Rendered { picture: camera_jpeg(&camera.expose(&scene.render(), 640), 640, 90)?, facts })
@@ -128,6 +128,8 @@ struct Set {
     dome: Dome,
     floor_albedo: f64,
     floor_ends_at: f64,
+    /// How dark the floor is where the ball stands; a tent's floor glows.
+    shadow: f64,
 }
 
 impl Set {
@@ -137,9 +139,13 @@ impl Set {
             Ball { circle: self.circle, metal: ReflectanceTable::of(self.metal), camera_distance: f64::INFINITY };
         let floor_white = self.dome.white_radiance(&Vec3::y());
         let card_white = self.dome.white_radiance(&Vec3::z());
-        let bounce = floor_white * ball.metal.at(0.7) * 0.55;
-        let floor =
-            Floor { radiance: floor_white * self.floor_albedo, ends_at: self.floor_ends_at, shadow: 0.92, bounce };
+        let bounce = floor_white * ball.metal.at(0.7) * 0.8;
+        let floor = Floor {
+            radiance: floor_white * self.floor_albedo,
+            ends_at: self.floor_ends_at,
+            shadow: self.shadow,
+            bounce,
+        };
         let patch = |(bounds, reflectance): ([f64; 4], f64)| Patch {
             bounds,
             radiance: card_white * reflectance,
@@ -154,6 +160,7 @@ impl Set {
             pitch_deg: 9.0,
             balls: vec![ball],
             patches: cards.into_iter().map(patch).collect(),
+            rays: 4,
         }
     }
 
@@ -169,6 +176,7 @@ impl Set {
             environment: String::new(),
             environment_licence: String::new(),
             request: MatchRequest::default(),
+            greys: Vec::new(),
             truth: Truth::of(self.metal),
         }
     }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::color::{Rgb, RgbSpace};
 use crate::metal::Metal;
-use crate::photo::MatchRequest;
+use crate::photo::{Card, MatchRequest};
 
 static FILES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/samples");
 
@@ -49,6 +49,9 @@ pub struct SampleFacts {
     pub environment_licence: String,
     /// What a person would mark.
     pub request: MatchRequest,
+    /// Neutral patches in the picture, which a person may mark to undo the tone curve.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub greys: Vec<Card>,
     /// What a match should find.
     pub truth: Truth,
 }

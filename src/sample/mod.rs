@@ -6,13 +6,11 @@
 mod camera;
 mod gallery;
 mod library;
-mod optics;
 mod scene;
 mod surroundings;
 
 pub use camera::{Camera, camera_jpeg, camera_tone, linear_png};
 pub use gallery::{Rendered, SampleError, render_all};
 pub use library::{Sample, SampleFacts, Truth, sample, samples};
-pub use optics::ReflectanceTable;
 pub use scene::{Ball, Patch, Scene};
 pub use surroundings::{Dome, Floor, Panorama, PanoramaError, Tent, Vec3};

@@ -1,8 +1,8 @@
 //! A photograph's scene: balls, flat patches and surroundings, seen from afar.
 
-use super::optics::ReflectanceTable;
 use super::surroundings::{Dome, Floor, Vec3, smooth_step};
 use crate::color::Rgb;
+use crate::metal::ReflectanceTable;
 use crate::photo::Circle;
 
 /// Everything in front of the camera. Circles and rectangles are in pixels of the finished picture.
@@ -22,6 +22,8 @@ pub struct Scene {
     pub balls: Vec<Ball>,
     /// Flat things of one radiance each, in front of the rest.
     pub patches: Vec<Patch>,
+    /// Rays each way in every pixel.
+    pub rays: u32,
 }
 
 /// A polished ball.
@@ -48,25 +50,22 @@ pub struct Patch {
     pub shadow: (f64, f64),
 }
 
-/// A row is sampled this many times each way in every pixel.
-const SAMPLES: u32 = 4;
-
 impl Scene {
-    /// Linear Rec.709 radiance, row by row, each pixel the mean of 4×4 rays.
+    /// Linear Rec.709 radiance, row by row, each pixel the mean of its rays.
     pub fn render(&self) -> Vec<Rgb> {
         let pixels = (0..self.height).flat_map(|row| (0..self.width).map(move |column| (column, row)));
         pixels.map(|(column, row)| self.pixel(column, row)).collect()
     }
 
     fn pixel(&self, column: u32, row: u32) -> Rgb {
-        let offset = |index: u32| (f64::from(index) + 0.5) / f64::from(SAMPLES);
+        let offset = |index: u32| (f64::from(index) + 0.5) / f64::from(self.rays);
         let mut sum = Rgb::BLACK;
-        for sub_row in 0..SAMPLES {
-            for sub_column in 0..SAMPLES {
+        for sub_row in 0..self.rays {
+            for sub_column in 0..self.rays {
                 sum += self.ray(f64::from(column) + offset(sub_column), f64::from(row) + offset(sub_row));
             }
         }
-        sum / f64::from(SAMPLES * SAMPLES)
+        sum / f64::from(self.rays * self.rays)
     }
 
     /// The radiance along the ray through a point of the picture.
@@ -204,6 +203,7 @@ mod tests {
             pitch_deg: 0.0,
             balls: vec![ball],
             patches: Vec::new(),
+            rays: 1,
         };
         assert!(scene.ray(20.0, 20.0).max_abs_difference(metal.at(1.0)) < 1e-12);
         assert_eq!(scene.ray(1.0, 1.0), Rgb::WHITE);

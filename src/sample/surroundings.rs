@@ -79,6 +79,7 @@ pub struct Panorama {
     width: usize,
     height: usize,
     pixels: Vec<Rgb>,
+    yaw_deg: f64,
 }
 
 /// Why an environment could not be read.
@@ -88,7 +89,9 @@ pub struct PanoramaError(#[from] image::ImageError);
 
 impl Panorama {
     /// Decodes a Radiance picture, scales its mean to 1 and limits lamps to `brightest` times that.
-    pub fn from_hdr(bytes: &[u8], brightest: f64) -> Result<Self, PanoramaError> {
+    ///
+    /// At a yaw of 0 the camera looks at the middle of the picture, at 90 a quarter further right.
+    pub fn from_hdr(bytes: &[u8], brightest: f64, yaw_deg: f64) -> Result<Self, PanoramaError> {
         let picture = image::load_from_memory_with_format(bytes, image::ImageFormat::Hdr)?.into_rgb32f();
         let (width, height) = (picture.width() as usize, picture.height() as usize);
         let mut pixels: Vec<Rgb> = picture.pixels().map(|pixel| Rgb(pixel.0.map(f64::from))).collect();
@@ -102,12 +105,13 @@ impl Panorama {
             let limited = (brightest / (luminance(pixel) * scale)).min(1.0);
             *pixel = *pixel * (scale * limited);
         }
-        Ok(Self { width, height, pixels })
+        Ok(Self { width, height, pixels, yaw_deg })
     }
 
-    /// Bilinear, wrapping around; the camera looks at the middle, along −z.
+    /// Bilinear, wrapping around; the camera looks along −z.
     fn radiance(&self, direction: &Vec3) -> Rgb {
-        let u = (0.5 + direction.x.atan2(-direction.z) / TAU) * self.width as f64 - 0.5;
+        let turn = direction.x.atan2(-direction.z) / TAU + self.yaw_deg / 360.0;
+        let u = (0.5 + turn) * self.width as f64 - 0.5;
         let v = direction.y.clamp(-1.0, 1.0).acos() / PI * self.height as f64 - 0.5;
         let (column, row) = (u.floor(), v.floor());
         let at = |dx: f64, dy: f64| {

@@ -3,9 +3,10 @@
 use super::light::Light;
 use super::region::{Place, RINGS, Region, Regions};
 use super::shape::MetalCurve;
+use super::view::View;
 use crate::fresnel::Weights;
+use crate::photo::Pixel;
 use crate::photo::statistics::{exceeds_clipping_limit, usable_channels};
-use crate::photo::{Photo, Pixel};
 
 /// The mean of one channel over the pixels of one block and ring.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +74,7 @@ impl Sum {
 
 /// The cells of each channel, and what was counted on the way.
 pub(super) fn gather(
-    photo: &Photo,
+    view: &View,
     regions: &Regions,
     light: &Light,
     outliers: Option<&Outliers>,
@@ -82,15 +83,15 @@ pub(super) fn gather(
     let mut counts = Counts::default();
     for (stratum, region) in strata(regions) {
         let mut sums = vec![[Sum::default(); 3]; region.blocks() * RINGS];
-        for (column, row, place) in region.pixels(photo) {
-            let Some(pixel) = photo.pixel(column, row) else { continue };
+        for (column, row, place) in region.pixels(view.photo) {
+            let Some(pixel) = view.pixel(column, row) else { continue };
             counts.add(stratum, &pixel);
-            let reflectance = light.reflectance(&pixel);
+            let reflectance = light.reflectance(view, &pixel, &place);
             if outliers.is_some_and(|outliers| outliers.include(reflectance, place)) {
                 continue;
             }
             let sum = &mut sums[place.block * RINGS + place.ring];
-            for channel in usable(&pixel) {
+            for channel in usable(&pixel, reflectance) {
                 sum[channel].add(reflectance[channel], place);
             }
         }
@@ -111,8 +112,10 @@ fn strata(regions: &Regions) -> impl Iterator<Item = (usize, &Region)> {
     inner.chain(regions.outer.iter().map(|region| (1, region)))
 }
 
-fn usable(pixel: &Pixel) -> impl Iterator<Item = usize> + use<> {
-    usable_channels(pixel).into_iter().enumerate().filter_map(|(channel, is_usable)| is_usable.then_some(channel))
+/// The channels that are neither clipped nor without a light.
+fn usable(pixel: &Pixel, reflectance: [f64; 3]) -> impl Iterator<Item = usize> + use<> {
+    let is_usable = usable_channels(pixel);
+    (0..3).filter(move |&channel| is_usable[channel] && reflectance[channel].is_finite())
 }
 
 impl Counts {
@@ -143,8 +146,8 @@ const LEAST_LIMIT: f64 = 0.01;
 
 impl Outliers {
     /// The limits around a fit: its pixel noise and what its cells scatter, together.
-    pub fn around(photo: &Photo, regions: &Regions, light: &Light, curve: MetalCurve) -> Self {
-        let noise = noise(photo, regions, light, &curve);
+    pub fn around(view: &View, regions: &Regions, light: &Light, curve: MetalCurve) -> Self {
+        let noise = noise(view, regions, light, &curve);
         let limit = |i: usize| REJECTION * noise[i].hypot(curve.fits[i].scatter);
         Self { limits: std::array::from_fn(|i| limit(i).max(LEAST_LIMIT)), curve }
     }
@@ -156,14 +159,15 @@ impl Outliers {
 }
 
 /// The standard deviation of a pixel around a fit: the median over cells of what is left within each.
-pub(super) fn noise(photo: &Photo, regions: &Regions, light: &Light, curve: &MetalCurve) -> [f64; 3] {
+pub(super) fn noise(view: &View, regions: &Regions, light: &Light, curve: &MetalCurve) -> [f64; 3] {
     let mut variances: [Vec<f64>; 3] = Default::default();
     for (_, region) in strata(regions) {
         let mut sums = vec![[(0.0, 0.0, 0.0); 3]; region.blocks() * RINGS];
-        for (column, row, place) in region.pixels(photo) {
-            let Some(pixel) = photo.pixel(column, row) else { continue };
-            let (reflectance, expected) = (light.reflectance(&pixel), curve.at(place.weights, place.cosine));
-            for channel in usable(&pixel) {
+        for (column, row, place) in region.pixels(view.photo) {
+            let Some(pixel) = view.pixel(column, row) else { continue };
+            let (reflectance, expected) =
+                (light.reflectance(view, &pixel, &place), curve.at(place.weights, place.cosine));
+            for channel in usable(&pixel, reflectance) {
                 let residual = reflectance[channel] - expected[channel];
                 let (count, sum, squares) = &mut sums[place.block * RINGS + place.ring][channel];
                 *count += 1.0;

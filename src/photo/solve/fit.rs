@@ -124,6 +124,13 @@ pub(super) fn least_squares(cells: &[Cell], weights: &[f64], unknowns: Unknowns)
     sums.solution(unknowns)
 }
 
+/// Plain least squares for r and h over (weights, reflectance).
+pub(super) fn solve_rows(rows: impl Iterator<Item = (Weights, f64)>) -> (Option<f64>, Option<f64>) {
+    let mut sums = NormalEquations::default();
+    rows.for_each(|(weights, f)| sums.add(weights.of_r, weights.of_h, f - weights.of_white, 1.0));
+    sums.solution(Unknowns::Both)
+}
+
 #[derive(Default)]
 struct NormalEquations {
     aa: f64,

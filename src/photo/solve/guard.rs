@@ -1,31 +1,33 @@
 //! What to beware of in a match: one sentence for each trap that is seen.
 
 use super::Measured;
-use super::cells::{Cell, median};
+use super::cells::{Cell, Counts, median};
 use super::light::Light;
 use super::outcome::Match;
 use super::region::{Regions, SECTORS};
 use super::shape::MetalCurve;
+use super::view::View;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{reachable_h, reflectance_range};
-use crate::photo::{Area, AreaStatistics, LightMode, MatchRequest, Photo, Warning, WarningCode};
+use crate::photo::{Area, AreaStatistics, LightMode, MatchRequest, Photo, Warning, WarningCode, snap_circle};
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 /// Every warning of a match, in the order of the rails.
 pub(super) fn warnings(
-    photo: &Photo,
+    view: &View,
     request: &MatchRequest,
     regions: &Regions,
     light: &Light,
     measured: &Measured,
     outcome: &Match,
 ) -> Vec<Warning> {
-    let areas = areas(photo, regions, light);
+    let (photo, areas) = (view.photo, areas(view, regions, light));
     let mut warnings = Vec::new();
     warnings.extend(geometry(photo, request, regions));
-    warnings.extend(clipped(measured, &areas));
-    warnings.extend(black(measured, &areas));
+    warnings.extend(outline(photo, request));
+    warnings.extend(clipped(&measured.counts, &areas));
+    warnings.extend(black(&measured.counts, &areas));
     warnings.extend(two_colours(&areas));
     warnings.extend(small_ball(request));
     warnings.extend(uneven(request, measured, outcome));
@@ -36,14 +38,47 @@ pub(super) fn warnings(
     warnings
 }
 
+/// The warnings of a match that rests on areas alone.
+pub(super) fn area_warnings(
+    view: &View,
+    request: &MatchRequest,
+    areas: &[(&'static str, AreaStatistics)],
+    outcome: &Match,
+) -> Vec<Warning> {
+    let counts = Counts::default();
+    let mut warnings = clipped(&counts, areas);
+    warnings.extend(black(&counts, areas));
+    warnings.extend(two_colours(areas));
+    warnings.extend(infeasible(outcome));
+    warnings.extend(gamut(outcome));
+    warnings.extend(estimate(view.photo, request, outcome));
+    warnings
+}
+
 /// The areas a person marked, by name.
-fn areas(photo: &Photo, regions: &Regions, light: &Light) -> Vec<(&'static str, AreaStatistics)> {
+fn areas(view: &View, regions: &Regions, light: &Light) -> Vec<(&'static str, AreaStatistics)> {
     let picked = |region: &Option<super::region::Region>| region.as_ref().and_then(super::region::Region::picked);
-    let of = |name: &'static str, area: Area| (name, AreaStatistics::of(photo, area));
+    let of = |name: &'static str, area: Area| (name, view.statistics(area));
     let cards = light.cards.iter().map(|(_, statistics)| ("card", statistics.clone()));
     let facing = picked(&regions.inner).map(|area| of("facing area", area));
     let edge = picked(&regions.outer).map(|area| of("edge area", area));
     cards.chain(facing).chain(edge).collect()
+}
+
+/// A circle this far from the ball's edge, in pixels plus a share of the radius, was not placed on it.
+const MISPLACED: (f64, f64) = (1.5, 0.01);
+
+/// What the edge in the picture says of the circle; nothing where no edge is clear.
+fn outline(photo: &Photo, request: &MatchRequest) -> Option<Warning> {
+    let circle = request.circle?;
+    let found = snap_circle(photo, circle).ok()?;
+    let error = (found.circle.radius - circle.radius).abs();
+    let misplaced = (error > MISPLACED.0 + MISPLACED.1 * circle.radius).then(|| {
+        let (radius, better) = (circle.radius, found.circle.radius);
+        let message = format!("The circle's radius is {radius:.1} pixels, but the edge is at {better:.1}: snap it.");
+        Warning::new(WarningCode::Geometry, message)
+    });
+    misplaced.or_else(|| found.warning())
 }
 
 fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<Warning> {
@@ -70,7 +105,7 @@ fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<War
     messages.into_iter().map(|message| Warning::new(WarningCode::Geometry, message)).collect()
 }
 
-fn clipped(measured: &Measured, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+fn clipped(counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
     let in_areas = areas.iter().flat_map(|(name, statistics)| {
         (0..3).filter(|&i| statistics.is_clipped(i)).map(|i| (*name, CHANNELS[i])).collect::<Vec<_>>()
     });
@@ -78,7 +113,7 @@ fn clipped(measured: &Measured, areas: &[(&str, AreaStatistics)]) -> Vec<Warning
     let is_picked = |name: &str| areas.iter().any(|area| area.0 == name);
     let in_bands = bands.into_iter().filter(|(_, stratum)| !is_picked(["facing area", "edge area"][*stratum]));
     let in_bands = in_bands.flat_map(|(name, stratum)| {
-        (0..3).filter(move |&i| measured.counts.is_clipped(stratum, i)).map(move |i| (name, CHANNELS[i]))
+        (0..3).filter(move |&i| counts.is_clipped(stratum, i)).map(move |i| (name, CHANNELS[i]))
     });
     let message = |(name, channel): (&str, &str)| {
         format!("The {channel} channel is clipped in the {name}: it has no value there. Expose less.")
@@ -89,12 +124,11 @@ fn clipped(measured: &Measured, areas: &[(&str, AreaStatistics)]) -> Vec<Warning
 /// Signal below this many times its scatter is no measurement.
 const LEAST_SIGNAL_TO_NOISE: f64 = 5.0;
 
-fn black(measured: &Measured, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+fn black(counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
     let is_dark = |s: &AreaStatistics| {
         let drowns = |i: usize| s.trimmed_mean[i] < LEAST_SIGNAL_TO_NOISE * s.standard_deviation[i];
         2 * s.black > s.pixels || (0..3).all(drowns)
     };
-    let counts = &measured.counts;
     let dark_band = (0..2).any(|stratum| 2 * counts.black[stratum] > counts.pixels[stratum]);
     let names = areas.iter().filter(|(_, s)| is_dark(s)).map(|(name, _)| *name);
     let ball = (dark_band && areas.iter().all(|(_, s)| !is_dark(s))).then_some("ball");
@@ -144,27 +178,32 @@ fn uneven(request: &MatchRequest, measured: &Measured, outcome: &Match) -> Optio
     request.circle?;
     let change = (0..3).map(|i| azimuth_change(&measured.all[i], &measured.curve, i)).fold(0.0, f64::max);
     let is_scattered = (0..3).any(|i| outcome.residual[i] > RESIDUAL_OVER_NOISE * outcome.noise[i].max(MODEL_RESIDUAL));
-    (change > AZIMUTH_CHANGE || is_scattered).then(|| {
-        let message = format!(
-            "The surroundings are uneven: the reflection changes by {:.0} % around the ball. Use a light tent or a \
-             reference ball.",
-            change * 100.0
-        );
-        Warning::new(WarningCode::Environment, message)
-    })
+    let seen = if change > AZIMUTH_CHANGE {
+        format!("the reflection changes by {:.0} % around the ball", change * 100.0)
+    } else if is_scattered {
+        "the reflection is patchy".to_owned()
+    } else {
+        return None;
+    };
+    let message = format!("The surroundings are uneven: {seen}. Use a light tent or a reference ball.");
+    Some(Warning::new(WarningCode::Environment, message))
 }
 
-/// Largest minus smallest sector over their mean; in each sector the median over rings of observed over fitted.
+/// The spread of the sectors from the tenth to the ninetieth percentile, over their mean.
+///
+/// A sector's value is the median over its rings of observed over fitted: where a ball stands its own
+/// shadow darkens a sector or two, which the fit leaves out.
 fn azimuth_change(cells: &[Cell], curve: &MetalCurve, channel: usize) -> f64 {
-    [0, 1]
-        .map(|stratum| {
-            let sectors = sector_medians(cells, curve, channel, stratum);
-            let (low, high) =
-                sectors.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), v| (low.min(*v), high.max(*v)));
-            if sectors.len() < 2 { 0.0 } else { (high - low) * sectors.len() as f64 / sectors.iter().sum::<f64>() }
-        })
-        .into_iter()
-        .fold(0.0, f64::max)
+    let spread = |stratum: usize| {
+        let mut sectors = sector_medians(cells, curve, channel, stratum);
+        sectors.sort_by(f64::total_cmp);
+        let tenth = sectors.len() / 10;
+        match (sectors.get(tenth), sectors.iter().rev().nth(tenth)) {
+            (Some(low), Some(high)) => (high - low) * sectors.len() as f64 / sectors.iter().sum::<f64>(),
+            _ => 0.0,
+        }
+    };
+    spread(0).max(spread(1))
 }
 
 fn sector_medians(cells: &[Cell], curve: &MetalCurve, channel: usize, stratum: usize) -> Vec<f64> {
@@ -178,15 +217,20 @@ fn sector_medians(cells: &[Cell], curve: &MetalCurve, channel: usize, stratum: u
 const STEEPEST_FALL: f64 = 0.10;
 
 fn mirrored_backdrop(request: &MatchRequest, measured: &Measured) -> Option<Warning> {
-    (request.circle.is_some() && request.edge.is_none() && falls_at_rim(measured)).then(|| {
+    mirrors_backdrop(request, measured).then(|| {
         let message = "The reflection falls towards the rim: it mirrors the backdrop, so h cannot be measured. Use a \
                        bright backdrop.";
         Warning::new(WarningCode::Environment, message)
     })
 }
 
+/// True when the band of a ball's rim shows the backdrop instead of the light.
+pub(super) fn mirrors_backdrop(request: &MatchRequest, measured: &Measured) -> bool {
+    request.circle.is_some() && request.edge.is_none() && falls_at_rim(measured)
+}
+
 /// True when, in the median channel, the outermost rings are darker than the inner rings of the outer band.
-pub(super) fn falls_at_rim(measured: &Measured) -> bool {
+fn falls_at_rim(measured: &Measured) -> bool {
     let mut falls = [0, 1, 2].map(|i| {
         let of_rings = |rings: std::ops::Range<usize>| {
             let cells = measured.all[i].iter().filter(|cell| cell.stratum == 1 && rings.contains(&cell.ring));
@@ -206,7 +250,7 @@ fn infeasible(outcome: &Match) -> Vec<Warning> {
     let unreachable = (0..3).find(|&i| is_unreachable(r[i], h[i], u_r, u_h));
     let impossible = (0..3).find(|&i| {
         let range = reflectance_range(r[i], h[i]);
-        *range.start() < -2.0 * u_h || *range.end() > 1.0 + 2.0 * u_r.max(u_h)
+        *range.start() < -u_h || *range.end() > 1.0 + u_r.max(u_h)
     });
     let unreachable = unreachable.map(|i| {
         let (channel, r, h) = (CHANNELS[i], r[i], h[i]);
@@ -219,12 +263,12 @@ fn infeasible(outcome: &Match) -> Vec<Warning> {
     unreachable.into_iter().chain(impossible).map(|message| Warning::new(WarningCode::Infeasible, message)).collect()
 }
 
-/// True when h lies outside what real n and k reach for any r within twice its uncertainty.
+/// True when h ± u lies outside what real n and k reach for any r ± u; u is expanded.
 fn is_unreachable(r: f64, h: f64, u_r: f64, u_h: f64) -> bool {
-    let bands = [r - 2.0 * u_r, r, r + 2.0 * u_r].map(|r| reachable_h(r.clamp(0.0, 0.999)));
+    let bands = [r - u_r, r, r + u_r].map(|r| reachable_h(r.clamp(0.0, 0.999)));
     let lowest = bands.iter().flatten().map(|band| *band.start()).fold(f64::INFINITY, f64::min);
     let highest = bands.iter().flatten().map(|band| *band.end()).fold(0.0, f64::max);
-    h < lowest - 2.0 * u_h || h > highest + 2.0 * u_h
+    h < lowest - u_h || h > highest + u_h
 }
 
 fn gamut(outcome: &Match) -> Option<Warning> {

@@ -8,29 +8,38 @@ mod cells;
 mod fit;
 mod guard;
 mod light;
+mod mirror;
 mod outcome;
+mod reference;
 mod region;
 mod shape;
+mod solved_light;
 mod uncertainty;
+mod view;
 
 pub use outcome::{CardReading, Match, MatchError, UncertaintyBudget};
 
-use super::{MatchRequest, Photo, Recipe};
+use super::{LightMode, MatchRequest, Photo, Recipe};
 use crate::color::{Rgb, RgbSpace};
 use cells::{Cell, Outliers, gather};
-use fit::{BallFit, fit};
+use fit::{BallFit, Unknowns, fit};
 use light::Light;
 use region::Regions;
 use shape::{ConductorShape, MetalCurve};
+use view::View;
 
 /// r and h of the metal marked in a photograph, in `space`, with uncertainties and warnings.
 pub fn solve(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<Match, MatchError> {
-    let light = Light::of(photo, request)?;
-    let regions = Regions::of(photo, request)?;
-    let measured = measure(photo, &regions, &light);
-    let uncertainty = uncertainty::of(photo, request, &regions, &light, &measured);
+    let view = View::of(photo, request)?;
+    if request.mode == LightMode::FlatMirror {
+        return mirror::solve_mirrors(&view, request, space);
+    }
+    let light = Light::of(&view, request)?;
+    let regions = Regions::of(&view, request)?;
+    let measured = measure(&view, &regions, &light);
+    let uncertainty = uncertainty::of(&view, request, &regions, &light, &measured);
     let mut outcome = Match::new(request, space, &light, &measured, &uncertainty);
-    outcome.warnings = guard::warnings(photo, request, &regions, &light, &measured, &outcome);
+    outcome.warnings = guard::warnings(&view, request, &regions, &light, &measured, &outcome);
     Ok(outcome)
 }
 
@@ -52,11 +61,11 @@ struct Measured {
 }
 
 /// Reads the regions three times: for a first fit, for the scatter around it, and without outliers.
-fn measure(photo: &Photo, regions: &Regions, light: &Light) -> Measured {
-    let (all, counts) = gather(photo, regions, light, None);
+fn measure(view: &View, regions: &Regions, light: &Light) -> Measured {
+    let (all, counts) = gather(view, regions, light, None);
     let (first, _) = fit_metal(&all, regions);
-    let outliers = Outliers::around(photo, regions, light, first);
-    let (kept, _) = gather(photo, regions, light, Some(&outliers));
+    let outliers = Outliers::around(view, regions, light, first);
+    let (kept, _) = gather(view, regions, light, Some(&outliers));
     let (curve, kept) = fit_metal(&kept, regions);
     Measured { all, kept, curve, counts }
 }

@@ -3,9 +3,10 @@
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
-use super::Measured;
+use super::guard::mirrors_backdrop;
 use super::light::Light;
 use super::uncertainty::Uncertainty;
+use super::{BallFit, Measured};
 use crate::color::{Rgb, RgbSpace};
 use crate::photo::{AreaStatistics, Card, LightMode, MatchRequest, Photo, Recipe, Warning};
 
@@ -22,9 +23,9 @@ pub struct Match {
     pub r: [Option<f64>; 3],
     /// Reflectance at 81.8°, unclamped.
     pub h: [Option<f64>; 3],
-    /// Standard uncertainty of r.
+    /// The ± of r: its expanded uncertainty with coverage factor 2, about 95 %.
     pub r_uncertainty: [Option<f64>; 3],
-    /// Standard uncertainty of h.
+    /// The ± of h, likewise.
     pub h_uncertainty: [Option<f64>; 3],
     /// What to beware of.
     pub warnings: Vec<Warning>,
@@ -72,7 +73,12 @@ pub struct UncertaintyBudget {
 }
 
 impl UncertaintyBudget {
-    /// All sources in quadrature: `[r, h]` of a channel.
+    /// All sources in quadrature times the coverage factor 2 (GUM 2008, 6.2): the ± of `[r, h]` of a channel.
+    pub fn expanded(&self, channel: usize) -> [f64; 2] {
+        self.total(channel).map(|standard| 2.0 * standard)
+    }
+
+    /// All sources in quadrature: the standard uncertainty of `[r, h]` of a channel.
     pub fn total(&self, channel: usize) -> [f64; 2] {
         let sources = [&self.sample, &self.model, &self.light, &self.angle, &self.transfer];
         std::array::from_fn(|which| sources.iter().map(|source| source[channel][which].powi(2)).sum::<f64>().sqrt())
@@ -93,8 +99,11 @@ impl Match {
             std::array::from_fn(|i| values[i].filter(|_| is_good(i)))
         };
         let r = kept(measured.curve.fits.each_ref().map(|fit| fit.r), 0);
+        // A backdrop beside the rim says nothing about what the middle of the ball mirrors.
+        let r = if request.mode == LightMode::Backdrop { [None; 3] } else { r };
         let h = kept(measured.curve.fits.each_ref().map(|fit| fit.h), 1);
-        let totals = [0, 1, 2].map(|channel| uncertainty.budget.total(channel));
+        let h = if mirrors_backdrop(request, measured) { [None; 3] } else { h };
+        let totals = [0, 1, 2].map(|channel| uncertainty.budget.expanded(channel));
         let of = |values: [Option<f64>; 3], which: usize| in_space(values, totals.map(|total| total[which]), space);
         let ((r, r_uncertainty), (h, h_uncertainty)) = (of(r, 0), of(h, 1));
         Self {
@@ -112,6 +121,41 @@ impl Match {
             noise: uncertainty.noise,
             pixels: measured.counts.pixels.iter().sum(),
             uncertainty: uncertainty.budget,
+            request: request.clone(),
+        }
+    }
+
+    /// From the ratios of mode A.
+    pub(super) fn of_ratios(
+        request: &MatchRequest,
+        space: RgbSpace,
+        light: [Option<f64>; 3],
+        fits: &[BallFit; 3],
+        uncertainty: UncertaintyBudget,
+        pixels: usize,
+        is_estimate: bool,
+    ) -> Self {
+        let totals = [0, 1, 2].map(|channel| uncertainty.expanded(channel));
+        let of = |value: fn(&BallFit) -> Option<f64>, which: usize| {
+            let values = std::array::from_fn(|i| value(&fits[i]).filter(|_| light[i].is_some()));
+            in_space(values, totals.map(|total| total[which]), space)
+        };
+        let ((r, r_uncertainty), (h, h_uncertainty)) = (of(|fit| fit.r, 0), of(|fit| fit.h, 1));
+        Self {
+            space,
+            mode: request.mode,
+            r,
+            h,
+            r_uncertainty,
+            h_uncertainty,
+            warnings: Vec::new(),
+            is_estimate,
+            light,
+            cards: Vec::new(),
+            residual: [0.0; 3],
+            noise: [0.0; 3],
+            pixels,
+            uncertainty,
             request: request.clone(),
         }
     }
@@ -182,12 +226,35 @@ pub enum MatchError {
         /// Which mark.
         what: &'static str,
     },
+    /// Neutral patches that make no curve.
+    #[error(
+        "the grey patches make no tone curve: mark at least three, each inside the picture and each brighter than \
+         the next darker one"
+    )]
+    Greys,
+    /// A reference metal the library does not hold.
+    #[error("{0}")]
+    Metal(String),
+    /// Ratios at angles that show neither r nor h.
+    #[error("one ratio shows r up to {up_to_deg}° and h from {from_deg}°; add a picture at one of these angles")]
+    MirrorAngle {
+        /// Largest angle for r, in degrees.
+        up_to_deg: f64,
+        /// Smallest angle for h, in degrees.
+        from_deg: f64,
+    },
     /// A reference without light.
     #[error("the {what} is black: it cannot say what white is")]
     DarkReference {
         /// Which mark.
         what: &'static str,
     },
+}
+
+impl MatchError {
+    pub(super) const fn needs(mode: LightMode, needs: &'static str) -> Self {
+        Self::ModeNotMarked { mode, needs }
+    }
 }
 
 /// Writes the sentence: errors appear as text wherever results are serialised beside them.

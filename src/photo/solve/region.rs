@@ -3,16 +3,17 @@
 use std::ops::Range;
 
 use super::MatchError;
+use super::view::View;
 use crate::fresnel::{CosTheta, Weights};
 use crate::photo::area::pixel_range;
-use crate::photo::{Area, Circle, MatchRequest, Photo};
+use crate::photo::{Area, Circle, LightMode, MatchRequest, Photo};
 
 /// Where r shows: the middle of the ball, up to 40°.
 const INNER_DEG: Range<f64> = 0.0..40.0;
 /// Where h shows: from 55° to 83°; beyond, edge pixels mix with the backdrop.
 const OUTER_DEG: Range<f64> = 55.0..83.0;
-/// Lens blur carries the backdrop this far inside the outline, in pixels.
-const RIM_MARGIN_PX: f64 = 1.5;
+/// What mirrors the backdrop just beside the rim.
+const RIM_DEG: Range<f64> = 74.0..83.0;
 /// Sectors around a band: what varies with the surroundings varies with the azimuth.
 pub(super) const SECTORS: usize = 24;
 /// Rings across a band.
@@ -41,7 +42,7 @@ enum Shape {
     /// A ring of a ball between two radii over the ball's.
     Band { circle: Circle, from_rho: f64, to_rho: f64 },
     /// An area on a ball, where the outline gives the angles.
-    OnBall { area: Area, circle: Circle },
+    OnBall { area: Area, circle: Circle, margin: f64 },
     /// An area of one known angle.
     Flat { area: Area, facing: CosTheta },
 }
@@ -53,18 +54,23 @@ pub(super) struct Place {
     pub ring: usize,
     pub weights: Weights,
     pub cosine: f64,
+    /// Offset from the ball's centre over its radius, right and down; zero beside a ball.
+    pub on_ball: [f64; 2],
 }
 
 impl Regions {
+    /// Lens blur carries the backdrop this far inside the outline, in pixels.
+    pub const RIM_MARGIN_PX: f64 = 1.5;
+
     /// A picked area where there is one, else the band of the ball.
-    pub fn of(photo: &Photo, request: &MatchRequest) -> Result<Self, MatchError> {
+    pub fn of(view: &View, request: &MatchRequest) -> Result<Self, MatchError> {
         let regions = Self::with_circle(request, request.circle);
         if regions.inner.is_none() && regions.outer.is_none() {
             return Err(MatchError::NothingMarked);
         }
         for (region, what) in [(&regions.inner, "facing area"), (&regions.outer, "edge area")] {
             if let Some(region) = region
-                && region.pixels(photo).next().is_none()
+                && region.pixels(view.photo).next().is_none()
             {
                 let what = if region.is_band() { "ball" } else { what };
                 return Err(MatchError::NoPixels { what });
@@ -75,23 +81,40 @@ impl Regions {
 
     /// The same regions for another outline: what an error of the radius does.
     pub fn with_circle(request: &MatchRequest, circle: Option<Circle>) -> Self {
+        let margin = margin(request, circle);
         let region = |picked: Option<Area>, band_deg: Range<f64>, facing: CosTheta| match (picked, circle) {
-            (Some(area), Some(circle)) => Some(Region::new(Shape::OnBall { area, circle })),
+            (Some(area), Some(circle)) => Some(Region::new(Shape::OnBall { area, circle, margin })),
             (Some(area), None) => Some(Region::new(Shape::Flat { area, facing })),
-            (None, Some(circle)) => Some(Region::new(Shape::band(circle, band_deg))),
+            (None, Some(circle)) => Some(Region::new(Shape::band(circle, band_deg, margin))),
             (None, None) => None,
         };
+        if request.mode == LightMode::Backdrop {
+            return Self { inner: None, outer: region(request.edge, RIM_DEG, CosTheta::MAX) };
+        }
         Self {
             inner: region(request.facing, INNER_DEG, CosTheta::FACING),
             outer: region(request.edge, OUTER_DEG, CosTheta::MAX),
         }
     }
+
+    /// The middle of a ball, and all from 55° to its outline less the margin.
+    pub fn to_the_rim(circle: Circle) -> Self {
+        let band = |band_deg| Some(Region::new(Shape::band(circle, band_deg, Self::RIM_MARGIN_PX / circle.radius)));
+        Self { inner: band(INNER_DEG), outer: band(OUTER_DEG.start..90.0) }
+    }
+}
+
+/// The margin inside the outline as a share of the radius: that of the smaller of the balls that are read.
+fn margin(request: &MatchRequest, circle: Option<Circle>) -> f64 {
+    let reference = request.reference_ball.as_ref().filter(|_| request.mode == LightMode::ReferenceBall);
+    let radii = circle.into_iter().chain(reference.map(|ball| ball.circle)).map(|circle| circle.radius);
+    Regions::RIM_MARGIN_PX / radii.fold(f64::INFINITY, f64::min)
 }
 
 impl Shape {
-    fn band(circle: Circle, band_deg: Range<f64>) -> Self {
+    fn band(circle: Circle, band_deg: Range<f64>, margin: f64) -> Self {
         let rho = |angle_deg: f64| angle_deg.to_radians().sin();
-        let to_rho = rho(band_deg.end).min(1.0 - RIM_MARGIN_PX / circle.radius);
+        let to_rho = rho(band_deg.end).min(1.0 - margin);
         Self::Band { circle, from_rho: rho(band_deg.start), to_rho }
     }
 }
@@ -146,17 +169,19 @@ impl Region {
                         ring: ring(share),
                         weights: self.weights_at(rho),
                         cosine: cosine(rho),
+                        on_ball: [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius],
                     }
                 })
             }
-            Shape::OnBall { area, circle } => {
+            Shape::OnBall { area, circle, margin } => {
                 let rho = circle.rho(x, y);
-                let is_on_ball = rho < 1.0 - RIM_MARGIN_PX / circle.radius;
+                let is_on_ball = rho < 1.0 - margin;
                 (is_on_ball && area.contains(x, y)).then(|| Place {
                     block: tile(area, x, y),
                     ring: ring(rho * rho),
                     weights: self.weights_at(rho),
                     cosine: cosine(rho),
+                    on_ball: [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius],
                 })
             }
             Shape::Flat { area, facing } => area.contains(x, y).then(|| Place {
@@ -164,6 +189,7 @@ impl Region {
                 ring: 0,
                 weights: Weights::at(facing),
                 cosine: facing.get(),
+                on_ball: [0.0; 2],
             }),
         }
     }
@@ -263,7 +289,7 @@ mod tests {
         let photo = Photo::from_linear("test", 60, 60, vec![[1.0; 3]; 3600]);
         let circle = Circle::new(30.0, 30.0, 25.0);
         let request = MatchRequest { circle: Some(circle), ..MatchRequest::default() };
-        let regions = Regions::of(&photo, &request).unwrap();
+        let regions = Regions::with_circle(&request, request.circle);
         let farthest = |region: &Option<Region>| {
             let rho = |(x, y, _)| circle.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
             region.as_ref().unwrap().pixels(&photo).map(rho).fold(0.0, f64::max)

@@ -5,12 +5,10 @@ use super::fit::{BallFit, Unknowns, least_squares};
 use super::light::Light;
 use super::outcome::UncertaintyBudget;
 use super::region::{RINGS, Regions};
+use super::view::View;
 use super::{Measured, fit_metal};
 use crate::photo::statistics::jackknife_error;
-use crate::photo::{LightMode, MatchRequest, Photo};
-
-/// Relative error of a reflectance read through a camera's unknown tone curve.
-const ASSUMED_TONE_CURVE: f64 = 0.25;
+use crate::photo::{LightMode, MatchRequest};
 
 /// The uncertainty of a match and the noise it was judged by.
 pub(super) struct Uncertainty {
@@ -23,26 +21,25 @@ pub(super) struct Uncertainty {
 
 /// Every source for every channel.
 pub(super) fn of(
-    photo: &Photo,
+    view: &View,
     request: &MatchRequest,
     regions: &Regions,
     light: &Light,
     measured: &Measured,
 ) -> Uncertainty {
     let each = |f: &dyn Fn(usize) -> [f64; 2]| std::array::from_fn(f);
-    let has_assumed_curve = !photo.is_scene_linear() && request.greys.is_empty();
-    let transfer = if has_assumed_curve { ASSUMED_TONE_CURVE } else { 0.0 };
+    let transfer = view.tone_uncertainty();
     let budget = UncertaintyBudget {
         sample: each(&|i| of_sample(&measured.kept[i], &measured.curve.fits[i], regions)),
         model: each(&|i| of_model(&measured.kept[i], &measured.curve.fits[i])),
         light: each(&|i| of_light(&measured.kept[i], &measured.curve.fits[i], regions, light.relative_uncertainty[i])),
-        angle: of_angle(photo, request, light),
+        angle: of_angle(view, request, light),
         transfer: each(&|i| pair(&measured.curve.fits[i]).map(|value| value.abs() * transfer)),
     };
     Uncertainty {
         budget,
-        noise: noise(photo, regions, light, &measured.curve),
-        is_estimate: has_assumed_curve || request.mode == LightMode::ByEye,
+        noise: noise(view, regions, light, &measured.curve),
+        is_estimate: view.is_estimate() || request.mode == LightMode::ByEye,
     }
 }
 
@@ -107,12 +104,12 @@ fn of_light(cells: &[Cell], fit: &BallFit, regions: &Regions, relative: f64) -> 
 }
 
 /// Half the difference between fits with the radius larger and smaller by its uncertainty.
-fn of_angle(photo: &Photo, request: &MatchRequest, light: &Light) -> [[f64; 2]; 3] {
+fn of_angle(view: &View, request: &MatchRequest, light: &Light) -> [[f64; 2]; 3] {
     let Some(circle) = request.circle else { return [[0.0; 2]; 3] };
     let error = request.radius_uncertainty_px().min(circle.radius / 2.0);
     let fits = [-error, error].map(|change| {
         let regions = Regions::with_circle(request, Some(circle.with_radius(circle.radius + change)));
-        let (cells, _) = gather(photo, &regions, light, None);
+        let (cells, _) = gather(view, &regions, light, None);
         fit_metal(&cells, &regions).0.fits
     });
     let [smaller, larger] = &fits;

@@ -1,8 +1,8 @@
 //! The reflectance of a metal over the angle, tabulated from its spectral truth.
 
+use super::Metal;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::CosTheta;
-use crate::metal::Metal;
 
 /// F over cos θ in linear Rec.709: exact spectral reflectance (never the r, h model) at equal steps of cos θ.
 ///

@@ -1,0 +1,382 @@
+//! The outline of a ball, found to a fraction of a pixel.
+//!
+//! Along rays from a rough centre the steepest steps of brightness are candidates; a circle through
+//! three of them that most others agree with is refined by a robust geometric fit. What is left over
+//! twice around the circle says whether the outline is an ellipse.
+
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use serde::Serialize;
+use thiserror::Error;
+
+use super::{Circle, Photo, Warning, WarningCode};
+
+/// A fitted outline.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Outline {
+    /// The circle.
+    pub circle: Circle,
+    /// Standard uncertainty of its radius in pixels.
+    pub uncertainty_px: f64,
+    /// Half the difference between the longest and the shortest radius, over the radius; 0 for a circle.
+    pub ellipticity: f64,
+    /// Share of the rays whose edge lies on it.
+    pub support: f64,
+}
+
+impl Outline {
+    /// An outline longer one way than the other: perspective, or no ball.
+    pub fn warning(&self) -> Option<Warning> {
+        /// A wide-angle view of a ball reaches this some way off the axis.
+        const ELLIPTICITY_LIMIT: f64 = 0.015;
+        (self.ellipticity > ELLIPTICITY_LIMIT).then(|| {
+            let message = format!(
+                "The outline is an ellipse, {:.1} % longer one way: move the camera back, or it is no ball.",
+                200.0 * self.ellipticity
+            );
+            Warning::new(WarningCode::Geometry, message)
+        })
+    }
+}
+
+/// Why no outline was found.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum OutlineError {
+    /// Too few edges agree on a circle.
+    #[error("no round outline was found there: place the circle closer to the ball's edge")]
+    NoCircle,
+    /// The picture shows no ball at all.
+    #[error("no ball was found in the picture: mark it with a circle")]
+    NoBall,
+}
+
+const RAYS: usize = 360;
+/// Candidates kept for each ray: reflections inside a ball make edges, too.
+const CANDIDATES: usize = 3;
+/// A ray supports a circle within this many pixels, or this share of its radius if that is more.
+const INLIER_PX: f64 = 1.5;
+const INLIER_SHARE: f64 = 0.006;
+/// Fewer supporting rays than this are no outline.
+const LEAST_SUPPORT: f64 = 0.35;
+
+/// Snaps a roughly placed circle to the edge nearest to it: within a fifth of its radius.
+pub fn snap_circle(photo: &Photo, rough: Circle) -> Result<Outline, OutlineError> {
+    const REACH: f64 = 0.2;
+    let first = fit_edges(&candidates(photo, rough, REACH), rough).ok_or(OutlineError::NoCircle)?;
+    // Again from the found centre, where rays cross the edge at right angles.
+    fit_edges(&candidates(photo, first.circle, 0.1), first.circle).ok_or(OutlineError::NoCircle)
+}
+
+/// A step of brightness on a ray.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    x: f64,
+    y: f64,
+    ray: usize,
+}
+
+/// The steepest steps of each ray within `reach` of the circle's radius.
+fn candidates(photo: &Photo, circle: Circle, reach: f64) -> Vec<Edge> {
+    let half_width = (circle.radius * reach).max(4.0);
+    (0..RAYS).flat_map(|ray| edges_on_ray(photo, circle, ray, half_width)).collect()
+}
+
+fn edges_on_ray(photo: &Photo, circle: Circle, ray: usize, half_width: f64) -> Vec<Edge> {
+    const STEP_PX: f64 = 0.5;
+    let (sin, cos) = (std::f64::consts::TAU * ray as f64 / RAYS as f64).sin_cos();
+    let steps = (2.0 * half_width / STEP_PX) as usize;
+    let radius = |step: f64| circle.radius - half_width + step * STEP_PX;
+    let point = |r: f64| (circle.x + r * cos, circle.y + r * sin);
+    let profile: Vec<Option<f64>> = (0..=steps).map(|step| brightness(photo, point(radius(step as f64)))).collect();
+    // The slope over ± 1 px: as wide as a lens is sharp, so that the peak of the slope is the edge.
+    let slope = |step: usize| {
+        let (before, after) = (step.checked_sub(2)?, step + 2);
+        Some((profile.get(after).copied()?? - profile[before]?).abs())
+    };
+    let slopes: Vec<f64> = (0..=steps).map(|step| slope(step).unwrap_or(0.0)).collect();
+    let is_peak = |step: &usize| slopes[*step] > slopes[step - 1] && slopes[*step] >= slopes[step + 1];
+    let mut peaks: Vec<usize> = (1..steps).filter(is_peak).filter(|&step| slopes[step] > 0.01).collect();
+    peaks.sort_by(|a, b| slopes[*b].total_cmp(&slopes[*a]));
+    peaks
+        .into_iter()
+        .take(CANDIDATES)
+        .map(|step| {
+            let (x, y) = point(radius(step as f64 + parabola_peak([slopes[step - 1], slopes[step], slopes[step + 1]])));
+            Edge { x, y, ray }
+        })
+        .collect()
+}
+
+/// Where a parabola through three equal steps peaks, relative to the middle one.
+fn parabola_peak([before, at, after]: [f64; 3]) -> f64 {
+    let curvature = before - 2.0 * at + after;
+    if curvature < 0.0 { (0.5 * (before - after) / curvature).clamp(-0.5, 0.5) } else { 0.0 }
+}
+
+/// Bilinear brightness of a point, compressed so that lamps do not outweigh the outline; `None` outside.
+fn brightness(photo: &Photo, (x, y): (f64, f64)) -> Option<f64> {
+    let (x, y) = (x - 0.5, y - 0.5);
+    if x < 0.0 || y < 0.0 {
+        return None;
+    }
+    let (column, row) = (x.floor(), y.floor());
+    let at = |dx: u32, dy: u32| {
+        let rgb = photo.pixel(column as u32 + dx, row as u32 + dy)?.rgb;
+        let luminance = (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]).max(0.0);
+        Some(luminance / (1.0 + luminance))
+    };
+    let (s, t) = (x - column, y - row);
+    let top = at(0, 0)? * (1.0 - s) + at(1, 0)? * s;
+    let bottom = at(0, 1)? * (1.0 - s) + at(1, 1)? * s;
+    Some(top * (1.0 - t) + bottom * t)
+}
+
+/// RANSAC (Fischler & Bolles 1981) over a fixed sequence of triples, then the geometric fit.
+fn fit_edges(edges: &[Edge], rough: Circle) -> Option<Outline> {
+    const TRIPLES: usize = 400;
+    if edges.len() < 12 {
+        return None;
+    }
+    let limit = INLIER_PX.max(INLIER_SHARE * rough.radius);
+    let mut sequence = 1_u64;
+    let mut pick = || {
+        // A linear congruential sequence (Knuth, MMIX): the same triples for the same picture.
+        sequence = sequence.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        edges[(sequence >> 33) as usize % edges.len()]
+    };
+    let circles = (0..TRIPLES).filter_map(|_| circle_through([pick(), pick(), pick()]));
+    let near = circles.filter(|circle| is_near(*circle, rough));
+    let best = near.map(|circle| (support(edges, circle, limit), circle)).max_by_key(|(support, _)| *support)?;
+    let circle = geometric_fit(edges, best.1, limit)?;
+    let supporting = support(edges, circle, limit);
+    let share = supporting as f64 / RAYS as f64;
+    if share < LEAST_SUPPORT {
+        return None;
+    }
+    let (scatter, ellipticity) = leftover(edges, circle, limit);
+    // Neighbouring rays share pixels: about one independent edge for each pixel of the outline, at most.
+    let independent = (supporting as f64).min(share * std::f64::consts::TAU * circle.radius / 2.0);
+    let uncertainty_px = (scatter / independent.sqrt()).hypot(0.05);
+    Some(Outline { circle, uncertainty_px, ellipticity, support: share })
+}
+
+fn is_near(circle: Circle, rough: Circle) -> bool {
+    let offset = (circle.x - rough.x).hypot(circle.y - rough.y);
+    (0.7..1.4).contains(&(circle.radius / rough.radius)) && offset < 0.4 * rough.radius
+}
+
+fn circle_through([a, b, c]: [Edge; 3]) -> Option<Circle> {
+    let (bx, by, cx, cy) = (b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
+    let area = 2.0 * (bx * cy - by * cx);
+    let (b2, c2) = (bx * bx + by * by, cx * cx + cy * cy);
+    let (x, y) = ((cy * b2 - by * c2) / area, (bx * c2 - cx * b2) / area);
+    let radius = x.hypot(y);
+    (area != 0.0 && radius.is_finite()).then(|| Circle::new(a.x + x, a.y + y, radius))
+}
+
+/// Rays with an edge on the circle.
+fn support(edges: &[Edge], circle: Circle, limit: f64) -> usize {
+    let mut rays = [false; RAYS];
+    for edge in edges {
+        rays[edge.ray] |= residual(*edge, circle).abs() < limit;
+    }
+    rays.iter().filter(|is_hit| **is_hit).count()
+}
+
+fn residual(edge: Edge, circle: Circle) -> f64 {
+    (edge.x - circle.x).hypot(edge.y - circle.y) - circle.radius
+}
+
+/// Gauss–Newton on the distances to the circle, with Tukey's biweight at `limit`.
+fn geometric_fit(edges: &[Edge], start: Circle, limit: f64) -> Option<Circle> {
+    const ROUNDS: usize = 12;
+    let mut circle = start;
+    for _ in 0..ROUNDS {
+        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for edge in edges {
+            let error = residual(*edge, circle);
+            let share = (error / limit).powi(2);
+            if share < 1.0 {
+                let distance = error + circle.radius;
+                let row = Vector3::new((edge.x - circle.x) / distance, (edge.y - circle.y) / distance, 1.0);
+                normal += row * row.transpose() * (1.0 - share).powi(2);
+                right += row * error * (1.0 - share).powi(2);
+            }
+        }
+        let step = normal.cholesky()?.solve(&right);
+        circle = Circle::new(circle.x + step[0], circle.y + step[1], circle.radius + step[2]);
+    }
+    (circle.radius > 1.0 && circle.radius.is_finite()).then_some(circle)
+}
+
+/// Standard deviation of the supporting edges, and the amplitude of their second harmonic over the radius.
+fn leftover(edges: &[Edge], circle: Circle, limit: f64) -> (f64, f64) {
+    let supporting = edges.iter().map(|edge| residual(*edge, circle)).filter(|error| error.abs() < limit);
+    let (squares, count) =
+        supporting.fold((0.0, 0.0), |(squares, count), error| (squares + error * error, count + 1.0));
+    let scatter = if count > 1.0 { f64::sqrt(squares / count) } else { limit };
+    (scatter, second_harmonic(edges, circle, limit.max(0.08 * circle.radius)) / circle.radius)
+}
+
+/// The amplitude of cos 2φ in the distances to the circle, fitted beside its centre and radius.
+///
+/// An ellipse leaves the circle's inliers, so the edge of each ray nearest to it within `reach` counts.
+fn second_harmonic(edges: &[Edge], circle: Circle, reach: f64) -> f64 {
+    let mut nearest: [Option<Edge>; RAYS] = [None; RAYS];
+    for edge in edges.iter().filter(|edge| residual(**edge, circle).abs() < reach) {
+        let best = &mut nearest[edge.ray];
+        if best.is_none_or(|other| residual(*edge, circle).abs() < residual(other, circle).abs()) {
+            *best = Some(*edge);
+        }
+    }
+    let (mut normal, mut right) = (SMatrix::<f64, 5, 5>::zeros(), SVector::<f64, 5>::zeros());
+    for edge in nearest.into_iter().flatten() {
+        let (sin, cos) = (edge.y - circle.y).atan2(edge.x - circle.x).sin_cos();
+        let row = SVector::<f64, 5>::from([1.0, cos, sin, cos * cos - sin * sin, 2.0 * sin * cos]);
+        normal += row * row.transpose();
+        right += row * residual(edge, circle);
+    }
+    normal.cholesky().map_or(0.0, |normal| {
+        let solution = normal.solve(&right);
+        solution[3].hypot(solution[4])
+    })
+}
+
+/// Finds the ball of a picture without a hint: the roundest, best supported outline.
+pub fn find_ball(photo: &Photo) -> Result<Outline, OutlineError> {
+    let small = Reduced::of(photo);
+    let snapped = small.round_shapes().into_iter().filter_map(|rough| snap_circle(photo, rough).ok());
+    let score = |outline: &Outline| outline.support * outline.circle.radius.sqrt();
+    snapped.max_by(|a, b| score(a).total_cmp(&score(b))).ok_or(OutlineError::NoBall)
+}
+
+/// A picture of brightness at most 160 pixels wide and high, for a first look.
+struct Reduced {
+    width: usize,
+    height: usize,
+    scale: f64,
+    values: Vec<f64>,
+}
+
+impl Reduced {
+    const LARGEST_SIDE: f64 = 160.0;
+
+    fn of(photo: &Photo) -> Self {
+        let scale = (f64::from(photo.width.max(photo.height)) / Self::LARGEST_SIDE).max(1.0);
+        let size = |full: u32| ((f64::from(full) / scale) as usize).max(1);
+        let (width, height) = (size(photo.width), size(photo.height));
+        // Four points in each reduced pixel are enough against aliasing for a vote.
+        let value = |x: usize, y: usize| {
+            let at = |dx: f64, dy: f64| brightness(photo, ((x as f64 + dx) * scale, (y as f64 + dy) * scale));
+            let points = [at(0.25, 0.25), at(0.75, 0.25), at(0.25, 0.75), at(0.75, 0.75)];
+            points.iter().flatten().sum::<f64>() / points.iter().flatten().count().max(1) as f64
+        };
+        let values = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| value(x, y)).collect();
+        Self { width, height, scale, values }
+    }
+
+    /// Circles that many edges point at: each edge votes for centres along its gradient (Duda & Hart 1972).
+    fn round_shapes(&self) -> Vec<Circle> {
+        const KEPT: usize = 6;
+        let edges = self.edges();
+        let (smallest, largest) = (6.0, 0.55 * self.width.max(self.height) as f64);
+        let mut shapes: Vec<(f64, Circle)> = Vec::new();
+        let mut radius = smallest;
+        while radius < largest {
+            let (votes, x, y) = self.best_centre(&edges, radius);
+            // Votes over the circumference: the share of the outline that was seen.
+            let share = votes / (std::f64::consts::TAU * radius);
+            let circle = Circle::new((x + 0.5) * self.scale, (y + 0.5) * self.scale, radius * self.scale);
+            shapes.push((share * radius.sqrt(), circle));
+            radius *= 1.06;
+        }
+        shapes.sort_by(|a, b| b.0.total_cmp(&a.0));
+        shapes.into_iter().take(KEPT).map(|(_, circle)| circle).collect()
+    }
+
+    /// The steepest tenth of the pixels with the direction of their gradient.
+    fn edges(&self) -> Vec<(f64, f64, f64, f64)> {
+        let at = |x: usize, y: usize| self.values[y * self.width + x];
+        let mut edges = Vec::new();
+        for y in 1..self.height.saturating_sub(1) {
+            for x in 1..self.width.saturating_sub(1) {
+                let (gx, gy) = (at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
+                let length = gx.hypot(gy);
+                if length > 1e-4 {
+                    edges.push((x as f64, y as f64, gx / length, gy / length, length));
+                }
+            }
+        }
+        edges.sort_by(|a, b| b.4.total_cmp(&a.4));
+        edges.truncate(self.values.len() / 8);
+        edges.into_iter().map(|(x, y, dx, dy, _)| (x, y, dx, dy)).collect()
+    }
+
+    /// The centre most edges agree on for a radius, votes gathered over 3×3 pixels.
+    fn best_centre(&self, edges: &[(f64, f64, f64, f64)], radius: f64) -> (f64, f64, f64) {
+        let mut votes = vec![0.0; self.width * self.height];
+        for (x, y, dx, dy) in edges {
+            for side in [-1.0, 1.0] {
+                let (cx, cy) = (x + side * radius * dx, y + side * radius * dy);
+                if cx >= 1.0 && cy >= 1.0 && cx < self.width as f64 - 1.0 && cy < self.height as f64 - 1.0 {
+                    votes[cy.round() as usize * self.width + cx.round() as usize] += 1.0;
+                }
+            }
+        }
+        let around = |index: usize| {
+            let (x, y) = (index % self.width, index / self.width);
+            let rows = y.saturating_sub(1)..=(y + 1).min(self.height - 1);
+            rows.map(|y| {
+                let columns = x.saturating_sub(1)..=(x + 1).min(self.width - 1);
+                columns.map(|x| votes[y * self.width + x]).sum::<f64>()
+            })
+            .sum::<f64>()
+        };
+        let best = (0..votes.len()).map(|i| (around(i), i)).max_by(|a, b| a.0.total_cmp(&b.0));
+        best.map_or((0.0, 0.0, 0.0), |(votes, i)| (votes, (i % self.width) as f64, (i / self.width) as f64))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A soft-edged ellipse of brightness 0.7 on 0.2, its edge where it is half covered.
+    fn ellipse(rx: f64, ry: f64) -> Photo {
+        let (cx, cy) = (101.3, 98.6);
+        let pixel = |x: u32, y: u32| {
+            let (dx, dy) = ((f64::from(x) + 0.5 - cx) / rx, (f64::from(y) + 0.5 - cy) / ry);
+            let inside = ((1.0 - dx.hypot(dy)) * rx.min(ry) + 0.5).clamp(0.0, 1.0);
+            [(0.2 + 0.5 * inside) as f32; 3]
+        };
+        let pixels = (0..200).flat_map(|y| (0..200).map(move |x| pixel(x, y))).collect();
+        Photo::from_linear("disc", 200, 200, pixels)
+    }
+
+    #[test]
+    fn snaps_to_a_fraction_of_a_pixel() {
+        let found = snap_circle(&ellipse(70.4, 70.4), Circle::new(106.0, 95.0, 63.0)).unwrap();
+        let Circle { x, y, radius } = found.circle;
+        assert!((x - 101.3).abs() < 0.1 && (y - 98.6).abs() < 0.1 && (radius - 70.4).abs() < 0.15, "{found:?}");
+        assert!(found.uncertainty_px < 0.2 && found.support > 0.95 && found.warning().is_none(), "{found:?}");
+    }
+
+    #[test]
+    fn finds_a_ball_by_itself() {
+        let found = find_ball(&ellipse(70.4, 70.4)).unwrap();
+        assert!((found.circle.radius - 70.4).abs() < 0.2, "{found:?}");
+    }
+
+    #[test]
+    fn an_ellipse_is_seen() {
+        let found = snap_circle(&ellipse(72.0, 68.0), Circle::new(101.0, 99.0, 70.0)).unwrap();
+        assert!((found.ellipticity - 2.0 / 70.0).abs() < 0.006, "{found:?}");
+        assert_eq!(found.warning().unwrap().code, WarningCode::Geometry);
+    }
+
+    #[test]
+    fn nothing_round_is_said() {
+        let grey = Photo::from_linear("grey", 100, 100, vec![[0.5; 3]; 10_000]);
+        assert_eq!(snap_circle(&grey, Circle::new(50.0, 50.0, 30.0)), Err(OutlineError::NoCircle));
+        assert_eq!(find_ball(&grey), Err(OutlineError::NoBall));
+    }
+}

@@ -1,0 +1,63 @@
+//! A photograph as a match reads it: through the grey scale where there is one.
+
+use super::MatchError;
+use crate::photo::tone::ToneCurve;
+use crate::photo::{Area, AreaStatistics, MatchRequest, Photo, Pixel};
+
+/// A photograph and the curve that makes it proportional to light.
+#[derive(Debug)]
+pub(super) struct View<'a> {
+    pub photo: &'a Photo,
+    tone: Option<ToneCurve>,
+}
+
+impl<'a> View<'a> {
+    /// Through the request's grey patches, if it has any.
+    pub fn of(photo: &'a Photo, request: &MatchRequest) -> Result<Self, MatchError> {
+        let tone = match request.greys.as_slice() {
+            [] => None,
+            greys => Some(ToneCurve::through(photo, greys).ok_or(MatchError::Greys)?),
+        };
+        Ok(Self { photo, tone })
+    }
+
+    /// The pixel in a column and row; `None` outside.
+    pub fn pixel(&self, column: u32, row: u32) -> Option<Pixel> {
+        self.photo.pixel(column, row).map(|pixel| self.corrected(pixel))
+    }
+
+    fn corrected(&self, mut pixel: Pixel) -> Pixel {
+        if let Some(tone) = &self.tone {
+            for channel in 0..3 {
+                pixel.rgb.0[channel] = tone.reflectance(channel, pixel.rgb[channel]);
+            }
+        }
+        pixel
+    }
+
+    /// What an area holds.
+    pub fn statistics(&self, area: Area) -> AreaStatistics {
+        AreaStatistics::of_pixels(self.photo, area, |pixel| self.corrected(pixel))
+    }
+
+    /// True when neutral patches gave the tone curve: white is then 1.
+    pub fn has_greys(&self) -> bool {
+        self.tone.is_some()
+    }
+
+    /// Relative standard uncertainty of a value because of the tone curve.
+    pub fn tone_uncertainty(&self) -> f64 {
+        /// A reflectance read through a camera's unknown tone curve is known to ± 25 %.
+        const ASSUMED_TONE_CURVE: f64 = 0.125;
+        match &self.tone {
+            Some(tone) => tone.relative_uncertainty,
+            None if self.is_estimate() => ASSUMED_TONE_CURVE,
+            None => 0.0,
+        }
+    }
+
+    /// True when a tone curve may stand between the values and the light.
+    pub fn is_estimate(&self) -> bool {
+        self.tone.is_none() && !self.photo.is_scene_linear()
+    }
+}

@@ -1,0 +1,127 @@
+//! The grey scale: neutral patches of known reflectance undo a camera's tone curve.
+
+use super::{AreaStatistics, Card, Photo};
+use crate::color::{srgb_decode, srgb_encode};
+
+/// Curves from a photograph's values to reflectance under its light, one for each channel.
+#[derive(Clone, Debug)]
+pub(super) struct ToneCurve {
+    channels: [MonotoneCubic; 3],
+    /// How far the curve is off, relative: half the mean error at a patch when it is left out.
+    pub relative_uncertainty: f64,
+}
+
+/// A curve needs this many patches.
+pub(super) const LEAST_GREYS: usize = 3;
+
+impl ToneCurve {
+    /// The curve through the patches and black; `None` when they are too few or do not grow in every channel.
+    pub fn through(photo: &Photo, greys: &[Card]) -> Option<Self> {
+        if greys.len() < LEAST_GREYS {
+            return None;
+        }
+        let read = |grey: &Card| (AreaStatistics::of(photo, grey.area), grey.reflectance);
+        let mut patches: Vec<(AreaStatistics, f64)> = greys.iter().map(read).collect();
+        patches.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let points = [0, 1, 2].map(|channel| knots(&patches, channel));
+        let [red, green, blue] = points.each_ref().map(|points| MonotoneCubic::through(points));
+        let error = points.iter().map(|points| leave_one_out_error(points)).sum::<f64>() / 3.0;
+        Some(Self { channels: [red?, green?, blue?], relative_uncertainty: 0.5 * error })
+    }
+
+    /// The reflectance of a value of a channel.
+    pub fn reflectance(&self, channel: usize, value: f64) -> f64 {
+        srgb_decode(self.channels[channel].at(srgb_encode(value)))
+    }
+}
+
+/// Both axes sRGB-encoded, so that dark patches count as much as bright ones.
+fn knots(patches: &[(AreaStatistics, f64)], channel: usize) -> Vec<(f64, f64)> {
+    let patch = |(statistics, reflectance): &(AreaStatistics, f64)| {
+        (srgb_encode(statistics.trimmed_mean[channel]), srgb_encode(*reflectance))
+    };
+    std::iter::once((0.0, 0.0)).chain(patches.iter().map(patch)).collect()
+}
+
+/// Mean relative error of the reflectance of each inner patch by the curve through the others.
+fn leave_one_out_error(points: &[(f64, f64)]) -> f64 {
+    let error = |left_out: usize| {
+        let rest: Vec<_> = points.iter().enumerate().filter(|(i, _)| *i != left_out).map(|(_, p)| *p).collect();
+        let (value, reflectance) = (points[left_out].0, srgb_decode(points[left_out].1));
+        MonotoneCubic::through(&rest).map_or(1.0, |curve| (srgb_decode(curve.at(value)) / reflectance - 1.0).abs())
+    };
+    // The brightest patches matter: a metal's r and h lie there.
+    let inner = points.len() - 3..points.len() - 1;
+    inner.clone().map(error).sum::<f64>() / inner.len() as f64
+}
+
+/// A monotone piecewise cubic (Fritsch & Carlson 1980), straight beyond its last knot.
+#[derive(Clone, Debug)]
+struct MonotoneCubic {
+    points: Vec<(f64, f64)>,
+    slopes: Vec<f64>,
+}
+
+impl MonotoneCubic {
+    /// Through knots that grow strictly in both; `None` otherwise.
+    fn through(points: &[(f64, f64)]) -> Option<Self> {
+        let grows = |pair: &[(f64, f64)]| pair[1].0 > pair[0].0 && pair[1].1 > pair[0].1;
+        if points.len() < 2 || !points.windows(2).all(grows) {
+            return None;
+        }
+        let secants: Vec<f64> = points.windows(2).map(|p| (p[1].1 - p[0].1) / (p[1].0 - p[0].0)).collect();
+        // Inner slopes are harmonic means of the secants beside them, which keeps every piece monotone.
+        let inner = secants.windows(2).map(|s| 2.0 * s[0] * s[1] / (s[0] + s[1]));
+        let first =
+            end_slope(points[1].0 - points[0].0, secants[0], points.get(2).map(|p| p.0 - points[1].0), secants.get(1));
+        let end = points.len() - 1;
+        let before = end.checked_sub(2).map(|i| points[i + 1].0 - points[i].0);
+        let last_but_one = secants.len().checked_sub(2).map(|i| &secants[i]);
+        let last = end_slope(points[end].0 - points[end - 1].0, secants[end - 1], before, last_but_one);
+        let slopes = std::iter::once(first).chain(inner).chain(std::iter::once(last)).collect();
+        Some(Self { points: points.to_vec(), slopes })
+    }
+
+    fn at(&self, x: f64) -> f64 {
+        let last = self.points.len() - 1;
+        let piece = self.points.partition_point(|point| point.0 <= x);
+        if piece == 0 || piece > last {
+            let end = if piece == 0 { 0 } else { last };
+            return self.points[end].1 + self.slopes[end] * (x - self.points[end].0);
+        }
+        let ((x0, y0), (x1, y1)) = (self.points[piece - 1], self.points[piece]);
+        let (width, t) = (x1 - x0, (x - x0) / (x1 - x0));
+        let (m0, m1) = (self.slopes[piece - 1] * width, self.slopes[piece] * width);
+        let (t2, t3) = (t * t, t * t * t);
+        y0 * (2.0 * t3 - 3.0 * t2 + 1.0) + m0 * (t3 - 2.0 * t2 + t) + y1 * (3.0 * t2 - 2.0 * t3) + m1 * (t3 - t2)
+    }
+}
+
+/// The slope of the parabola through the last three knots, kept monotone (Moler 2004, section 3.6, pchip).
+fn end_slope(width: f64, secant: f64, next_width: Option<f64>, next_secant: Option<&f64>) -> f64 {
+    let (Some(next_width), Some(next_secant)) = (next_width, next_secant) else { return secant };
+    let slope = ((2.0 * width + next_width) * secant - width * next_secant) / (width + next_width);
+    slope.clamp(0.0, 3.0 * secant)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn passes_through_its_knots_and_never_falls() {
+        let points = [(0.0, 0.0), (0.1, 0.3), (0.5, 0.35), (0.9, 0.9)];
+        let curve = MonotoneCubic::through(&points).unwrap();
+        for (x, y) in points {
+            assert!((curve.at(x) - y).abs() < 1e-12);
+        }
+        let values: Vec<f64> = (0..=120).map(|i| curve.at(f64::from(i) / 100.0)).collect();
+        assert!(values.windows(2).all(|pair| pair[1] >= pair[0]));
+    }
+
+    #[test]
+    fn refuses_knots_that_do_not_grow() {
+        assert!(MonotoneCubic::through(&[(0.0, 0.0), (0.5, 0.5), (0.5, 0.6)]).is_none());
+        assert!(MonotoneCubic::through(&[(0.0, 0.0), (0.5, 0.5), (0.6, 0.4)]).is_none());
+    }
+}

@@ -1,0 +1,127 @@
+//! Is every trap warned of, and nothing else? For each rail one picture that triggers it and one that does not.
+
+mod studio;
+
+use edgewise::color::RgbSpace;
+use edgewise::photo::{Card, Circle, MatchRequest, WarningCode, solve};
+use edgewise::sample::{Camera, Tent};
+use studio::{Stored, Studio, codes};
+
+const DEFAULT: fn() -> Studio = Studio::default;
+
+fn with_exposure(exposure: f64) -> Camera {
+    Camera { exposure, ..DEFAULT().camera }
+}
+
+#[test]
+fn an_honest_picture_warns_of_nothing() {
+    assert_eq!(DEFAULT().codes(), []);
+    assert_eq!(Studio { stored: Stored::Png, ..DEFAULT() }.codes(), []);
+}
+
+/// Gold's red exceeds white: at this exposure it alone is clipped, and alone has no value.
+#[test]
+fn a_clipped_channel_has_no_value() {
+    let studio = Studio { metal: "gold", camera: with_exposure(0.97), stored: Stored::Png, ..DEFAULT() };
+    let found = studio.solve();
+    assert!(codes(&found).contains(&WarningCode::Clipped), "{:?}", found.warnings);
+    assert_eq!((found.r[0], found.r_uncertainty[0]), (None, None));
+    assert!(found.r[1].is_some() && found.r[2].is_some());
+    let wide = solve(&studio.photo(), &studio.request(), RgbSpace::AcesCg).unwrap();
+    assert_eq!(wide.r, [None; 3], "another space mixes the channels");
+    let darker = Studio { camera: with_exposure(0.7), ..studio };
+    assert!(!darker.codes().contains(&WarningCode::Clipped));
+}
+
+#[test]
+fn a_clipped_card_says_nothing_of_white() {
+    let found = Studio { camera: with_exposure(1.2), stored: Stored::Png, ..DEFAULT() }.solve();
+    assert!(codes(&found).contains(&WarningCode::Clipped));
+    assert_eq!((found.r, found.h), ([None; 3], [None; 3]));
+}
+
+#[test]
+fn a_picture_drowned_in_noise_is_too_dark() {
+    let dark = Camera { exposure: 0.01, noise: 0.03, ..DEFAULT().camera };
+    assert!(Studio { camera: dark, ..DEFAULT() }.codes().contains(&WarningCode::Black));
+    let dim = Camera { exposure: 0.01, noise: 0.0005, ..DEFAULT().camera };
+    assert!(!Studio { camera: dim, ..DEFAULT() }.codes().contains(&WarningCode::Black));
+}
+
+#[test]
+fn a_small_ball_gives_h_of_low_confidence() {
+    let ball = |radius| Studio { circle: Circle::new(130.0, 128.0, radius), ..DEFAULT() };
+    assert!(ball(50.0).codes().contains(&WarningCode::SmallBall));
+    assert!(!ball(64.0).codes().contains(&WarningCode::SmallBall));
+}
+
+#[test]
+fn uneven_surroundings_are_seen_around_the_ball() {
+    let side = |right| Studio { tent: Tent { right, ..Tent::default() }, ..DEFAULT() };
+    assert!(side(0.25).codes().contains(&WarningCode::Environment));
+    assert!(!side(0.02).codes().contains(&WarningCode::Environment));
+}
+
+#[test]
+fn a_rim_that_mirrors_a_dark_backdrop_shows_no_h() {
+    let backdrop = |limit| Studio { tent: Tent { dark_beyond_deg: limit, ..Tent::default() }, ..DEFAULT() };
+    let found = backdrop(Some(146.0)).solve();
+    assert!(found.warnings.iter().any(|warning| warning.message.contains("backdrop")), "{:?}", found.warnings);
+    assert_eq!(found.h, [None; 3]);
+    assert!(found.r[0].is_some());
+    assert!(backdrop(None).solve().h[0].is_some());
+}
+
+#[test]
+fn two_colours_in_a_card_are_seen() {
+    let studio = Studio { patches: vec![([258.0, 100.0, 18.0, 60.0], edgewise::color::Rgb::splat(0.5))], ..DEFAULT() };
+    assert!(studio.codes().contains(&WarningCode::Multimodal));
+}
+
+/// A card labelled half as bright as it is doubles r: no metal reflects more than everything.
+#[test]
+fn what_no_material_reaches_is_said() {
+    let studio = DEFAULT();
+    let labelled = |reflectance| {
+        let cards = vec![Card { reflectance, ..studio.card() }];
+        codes(&studio.solve_as(&MatchRequest { cards, ..studio.request() }))
+    };
+    assert!(labelled(1.0).iter().all(|code| *code != WarningCode::Infeasible));
+    assert!(labelled(0.45).contains(&WarningCode::Infeasible));
+}
+
+#[test]
+fn marks_that_leave_the_picture_or_miss_the_edge_are_said() {
+    let cut = Studio { circle: Circle::new(96.0, 128.0, 110.0), ..DEFAULT() };
+    assert!(cut.codes().contains(&WarningCode::Geometry));
+    let studio = DEFAULT();
+    let too_small = MatchRequest { circle: Some(Circle::new(130.0, 128.0, 100.0)), ..studio.request() };
+    assert!(codes(&studio.solve_as(&too_small)).contains(&WarningCode::Geometry));
+    let half_outside = vec![Card { area: "290,100,40,40".parse().unwrap(), reflectance: 0.9 }];
+    let found = studio.solve_as(&MatchRequest { cards: half_outside, ..studio.request() });
+    assert!(codes(&found).contains(&WarningCode::Geometry));
+}
+
+#[test]
+fn a_tone_curve_makes_an_estimate() {
+    let found = Studio { stored: Stored::Jpeg, ..DEFAULT() }.solve();
+    assert!(found.is_estimate && codes(&found).contains(&WarningCode::Estimate));
+    assert!(!DEFAULT().solve().is_estimate);
+}
+
+#[test]
+fn colours_beyond_the_space_are_kept_and_said() {
+    let gold = Studio { metal: "gold", ..DEFAULT() };
+    let found = gold.solve();
+    assert!(found.r[0].unwrap() > 1.0 && codes(&found).contains(&WarningCode::Gamut));
+    let wide = solve(&gold.photo(), &gold.request(), RgbSpace::AcesCg).unwrap();
+    assert!(!codes(&wide).contains(&WarningCode::Gamut), "{:?}", wide.warnings);
+}
+
+#[test]
+fn every_warning_is_a_sentence() {
+    let found = Studio { stored: Stored::Jpeg, circle: Circle::new(96.0, 128.0, 50.0), ..DEFAULT() }.solve();
+    for warning in &found.warnings {
+        assert!(warning.message.ends_with('.') && warning.message.len() < 200, "{}", warning.message);
+    }
+}
