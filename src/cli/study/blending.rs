@@ -14,10 +14,10 @@ use crate::study::{BlendPair, Contestants, Parameters, blend_matrix, blend_sprea
 /// Arguments of `edgewise study blending`.
 #[derive(Debug, Args)]
 pub(super) struct BlendingCommand {
-    #[arg(default_value = "copper", help = MATERIAL_HELP)]
+    #[arg(default_value = "gold", help = MATERIAL_HELP)]
     a: String,
     /// What it is blended with, in the same form
-    #[arg(default_value = "zinc")]
+    #[arg(default_value = "n=1.5")]
     b: String,
     /// Every pair of the measured materials, half and half
     #[arg(long, conflicts_with_all = ["a", "b", "detail"])]
