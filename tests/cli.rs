@@ -150,6 +150,12 @@ fn reflect_reads_a_persons_own_data() {
     assert!((r - (0.64 + 12.25) / (1.44 + 12.25)).abs() < 1e-12, "{r}");
     assert_eq!(value["material"], json!("mine"));
 
+    let yaml = folder.path().join("mine.yml");
+    let rows: String = (38..=78).map(|w| format!("        {} 0.2 3.5\n", f64::from(w) / 100.0)).collect();
+    fs::write(&yaml, format!("DATA:\n  - type: tabulated nk\n    data: |\n{rows}")).unwrap();
+    let of_yaml = json(&["reflect", "--nk", yaml.to_str().unwrap(), "--angles", "0", "--json"]);
+    assert!((of_yaml["curve"][0]["green"].as_f64().unwrap() - r).abs() < 1e-12);
+
     fs::write(&path, "wavelength_nm,n,k\n400,1,5\n").unwrap();
     let sentence = refusal(1, &["reflect", "--nk", path.to_str().unwrap()]);
     assert!(sentence.contains("mine.csv") && sentence.contains("450"), "{sentence}");

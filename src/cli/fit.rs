@@ -8,7 +8,6 @@ use serde_json::json;
 
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::parameters::in_one_cell;
-use super::source::metal_from_file;
 use crate::color::RgbSpace;
 use crate::fit::{Fit, Method, fit_to_truth};
 use crate::fresnel::ModelKind;
@@ -21,7 +20,7 @@ pub struct FitCommand {
     /// A metal of the library: identifier, name or symbol
     #[arg(long, value_name = "ID", required_unless_present = "nk")]
     metal: Option<String>,
-    /// A file with the columns wavelength_nm,n,k (or wavelength_um,n,k)
+    /// A .csv file with the columns wavelength_nm,n,k (or wavelength_um,n,k), or a .yml of refractiveindex.info
     #[arg(long, value_name = "FILE", conflicts_with = "metal")]
     nk: Option<PathBuf>,
     /// The model to fit; may be given again. All of them unless given
@@ -41,7 +40,7 @@ impl FitCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         let metal = match (&self.metal, &self.nk) {
             (Some(name), _) => metal_by_name(name)?.clone(),
-            (None, Some(path)) => metal_from_file(path)?,
+            (None, Some(path)) => Metal::open(path)?,
             (None, None) => return Err(super::usage("name a material: --metal or --nk")),
         };
         let fits = self.fits(&metal)?;

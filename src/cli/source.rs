@@ -3,14 +3,12 @@
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
 use clap::Args;
 
 use super::{arguments, usage};
 use crate::color::{Rgb, RgbSpace};
-use crate::file::read_text;
 use crate::fresnel::{CosTheta, FresnelModel, reflectance_range};
-use crate::metal::{Metal, metal_by_name, metal_from_csv};
+use crate::metal::{Metal, metal_by_name};
 use crate::preset::Preset;
 
 /// The arguments that name a material, and the space its colours are wanted in.
@@ -19,7 +17,7 @@ pub struct SourceArguments {
     /// A metal of the library: identifier, name or symbol
     #[arg(long, value_name = "ID")]
     metal: Option<String>,
-    /// A file with the columns wavelength_nm,n,k (or wavelength_um,n,k)
+    /// A .csv file with the columns wavelength_nm,n,k (or wavelength_um,n,k), or a .yml of refractiveindex.info
     #[arg(long, value_name = "FILE")]
     nk: Option<PathBuf>,
     /// A preset file
@@ -83,7 +81,7 @@ impl SourceArguments {
         let own_space = self.space.unwrap_or_default();
         let mut source = match (&self.metal, &self.nk, &self.preset, self.parameters.model()?) {
             (Some(name), None, None, None) => Source::measured(metal_by_name(name)?.clone(), own_space),
-            (None, Some(path), None, None) => Source::measured(metal_from_file(path)?, own_space),
+            (None, Some(path), None, None) => Source::measured(Metal::open(path)?, own_space),
             (None, None, Some(path), None) => Source::preset(path, self.space)?,
             (None, None, None, Some(model)) => Source::model("given parameters".to_owned(), model, own_space),
             _ => {
@@ -150,13 +148,6 @@ impl Source {
             Material::Model(model) => *model,
         }
     }
-}
-
-/// A person's own n and k.
-pub fn metal_from_file(path: &Path) -> anyhow::Result<Metal> {
-    let text = read_text(path)?;
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    metal_from_csv(&stem, &text).with_context(|| path.display().to_string())
 }
 
 impl Material {

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::super::source::metal_from_file;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::h_of_schlick;
 use crate::metal::{Metal, metal_by_name};
@@ -11,7 +10,7 @@ use crate::study::Subject;
 
 /// What the help says about a material.
 pub(super) const MATERIAL_HELP: &str = "A metal of the library (identifier, name or symbol), a preset (.json), a file \
-    of n and k (.csv), n=1.5 for a dielectric, or colours: r as 0.9,0.7,0.4 with Schlick's edge, or r/h as \
+    of n and k (.csv, .yml), n=1.5 for a dielectric, or colours: r as 0.9,0.7,0.4 with Schlick's edge, or r/h as \
     0.9,0.7,0.4/0.93,0.85,0.7";
 
 /// A material that is owned.
@@ -34,7 +33,7 @@ impl Material {
         }
         let metal = match ending.as_str() {
             "json" => return preset(Path::new(word), warnings),
-            "csv" => metal_from_file(Path::new(word))?,
+            "csv" | "yml" | "yaml" => Metal::open(Path::new(word))?,
             _ => metal_by_name(word)?.clone(),
         };
         warnings.extend(Some(metal.held_ends().sentence()).filter(|sentence| !sentence.is_empty()));
