@@ -9,11 +9,13 @@ use super::document::Document;
 use super::file_dialog::{FileDialog, Outcome, Purpose};
 use super::history::STABLE_SECONDS;
 use super::job::{Job, Poll};
+use super::photograph::{Loaded, Session, Source};
 use super::prompt::{Among, Answer, Prompt};
-use super::state::{NoticeKind, State};
+use super::state::{NoticeKind, Page, State};
 use super::{panels, theme};
 use crate::color::Rgb;
-use crate::metal::metal_by_name;
+use crate::file::read_text;
+use crate::metal::{Metal, metal_by_name, metal_from_csv};
 use crate::preset::Preset;
 
 /// The window.
@@ -21,14 +23,16 @@ pub struct App {
     state: State,
     prompt: Option<Prompt>,
     dialog: Option<FileDialog>,
-    loading: Option<Job<PathBuf, Result<Loaded, String>>>,
+    loading: Option<Job<PathBuf, Result<LoadedPreset, String>>>,
+    adding: Option<Job<PathBuf, Result<Metal, String>>>,
+    reading: Option<Job<Source, Result<Loaded, String>>>,
     saving: Option<Job<Saving, Result<(), String>>>,
     /// What was asked before the preset had to be saved.
     after_saving: Option<Action>,
     may_close: bool,
 }
 
-type Loaded = (Preset, Vec<String>);
+type LoadedPreset = (Preset, Vec<String>);
 
 #[derive(Clone)]
 struct Saving {
@@ -45,6 +49,8 @@ impl App {
             prompt: None,
             dialog: None,
             loading: None,
+            adding: None,
+            reading: None,
             saving: None,
             after_saving: None,
             may_close: false,
@@ -63,7 +69,14 @@ impl App {
 
     /// True while a job is at work.
     pub fn is_busy(&self) -> bool {
-        self.loading.is_some() || self.saving.is_some() || self.dialog.is_some() || self.state.spheres.is_busy()
+        let is_photograph_busy = self.state.photograph.as_ref().is_some_and(Session::is_busy);
+        let has_jobs =
+            self.loading.is_some() || self.reading.is_some() || self.adding.is_some() || self.saving.is_some();
+        has_jobs
+            || self.dialog.is_some()
+            || is_photograph_busy
+            || self.state.spheres.is_busy()
+            || self.state.metals.is_busy()
     }
 
     fn perform(&mut self, ctx: &Context, action: Action) {
@@ -79,13 +92,25 @@ impl App {
         match action {
             Action::Run(command) => self.run(ctx, command),
             Action::Load(path) => self.load(ctx, path),
+            Action::OpenSample(sample) => self.read(ctx, Source::Sample(sample)),
+            Action::StopReading => self.reading = None,
+            Action::ClosePhotograph => self.state.photograph = None,
             Action::SaveTo(path) => self.save(ctx, path),
             Action::StartFrom(metal) => {
                 let space = self.state.document.space();
                 self.state.document = Document::new(Preset::from_metal(metal, space), None);
                 self.state.view.metal = Some(metal);
+                self.state.page = Page::Author;
+                // Another preset: the photograph that is open says nothing about it.
+                if let Some(session) = &mut self.state.photograph {
+                    session.is_followed = false;
+                }
             }
-            Action::CompareWith(metal) => self.state.view.metal = Some(metal),
+            Action::AddMetal(path) => self.add_metal(ctx, path),
+            Action::CompareWith(metal) => {
+                self.state.view.metal = Some(metal);
+                self.state.page = Page::Author;
+            }
         }
     }
 
@@ -94,6 +119,7 @@ impl App {
             Command::New => self.state.document = Document::new(Preset::new_authored(), None),
             Command::Open => self.ask_system(ctx, Purpose::Open),
             Command::OpenPath => self.ask_path(Purpose::Open, None),
+            Command::OpenSample => self.prompt = Some(Prompt::find(Among::Samples)),
             Command::NewFromMetal => self.prompt = Some(Prompt::find(Among::MetalsToStartFrom)),
             Command::Save => match self.state.document.file().map(Path::to_owned) {
                 Some(path) => self.save(ctx, path),
@@ -105,10 +131,18 @@ impl App {
                 self.may_close = true;
                 ctx.send_viewport_cmd(ViewportCommand::Close);
             }
-            Command::Undo => self.state.document.undo(),
-            Command::Redo => self.state.document.redo(),
+            Command::Undo => {
+                self.state.document.undo();
+                self.marks_from_preset();
+            }
+            Command::Redo => {
+                self.state.document.redo();
+                self.marks_from_preset();
+            }
             Command::CopyR => ctx.copy_text(linear_words(self.state.document.preset.r)),
             Command::CopyH => ctx.copy_text(linear_words(self.state.document.preset.h)),
+            Command::ShowAuthor => self.state.page = Page::Author,
+            Command::ShowMetals => self.state.page = Page::Metals,
             Command::Compare => self.prompt = Some(Prompt::find(Among::MetalsToCompare)),
             Command::CompareNone => self.state.view.metal = None,
             Command::ToggleGrazing => self.state.view.is_grazing_only ^= true,
@@ -120,6 +154,13 @@ impl App {
             Command::ZoomOut => gui_zoom::zoom_out(ctx),
             Command::ZoomReset => ctx.set_zoom_factor(1.0),
             Command::Find => self.prompt = Some(Prompt::find(Among::Commands)),
+        }
+    }
+
+    /// The marks are part of what a preset was matched from, so undoing that moves them back.
+    fn marks_from_preset(&mut self) {
+        if let Some(session) = &mut self.state.photograph {
+            session.take_marks_of(&self.state.document.preset);
         }
     }
 
@@ -140,12 +181,42 @@ impl App {
         self.prompt = Some(Prompt::Path { purpose, text, reason });
     }
 
+    /// Opens a preset, or a photograph where the name is not a preset's.
     fn load(&mut self, ctx: &Context, path: PathBuf) {
+        if has_extension(&path, &["csv"]) {
+            return self.add_metal(ctx, path);
+        }
+        if !is_preset(&path) {
+            return self.read(ctx, Source::File(path));
+        }
         let job = Job::start(ctx, "open", path, |path, _| match Preset::load(&path) {
             Ok(loaded) => Ok((loaded.preset, loaded.warnings)),
             Err(error) => Err(error.to_string()),
         });
         self.loading = self.started(job);
+    }
+
+    fn add_metal(&mut self, ctx: &Context, path: PathBuf) {
+        let job = Job::start(ctx, "read metal", path, |path, _| open_metal(&path));
+        self.adding = self.started(job);
+    }
+
+    fn poll_adding(&mut self) {
+        let Some(job) = self.adding.take() else { return };
+        match job.poll() {
+            Poll::Working => self.adding = Some(job),
+            Poll::Done(Ok(metal)) => {
+                self.state.metals.add(metal);
+                self.state.page = Page::Metals;
+            }
+            Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
+            Poll::Lost => self.state.notify(NoticeKind::Error, lost("reading", &job.input)),
+        }
+    }
+
+    fn read(&mut self, ctx: &Context, source: Source) {
+        let job = Job::start(ctx, "read photograph", source, |source, progress| source.load(progress));
+        self.reading = self.started(job);
     }
 
     fn save(&mut self, ctx: &Context, path: PathBuf) {
@@ -177,6 +248,8 @@ impl App {
                 Poll::Lost => self.state.notify(NoticeKind::Error, lost("opening", &job.input)),
             }
         }
+        self.poll_reading();
+        self.poll_adding();
         if let Some(job) = self.saving.take() {
             match job.poll() {
                 Poll::Working => self.saving = Some(job),
@@ -184,6 +257,28 @@ impl App {
                 Poll::Done(Err(error)) => self.failed_to_save(error),
                 Poll::Lost => self.failed_to_save(lost("saving", &job.input.path)),
             }
+        }
+    }
+
+    fn poll_reading(&mut self) {
+        let Some(job) = self.reading.take() else { return };
+        match job.poll() {
+            Poll::Working => self.reading = Some(job),
+            Poll::Done(Ok(loaded)) => {
+                let session = Session::new(job.input.clone(), loaded, &self.state.document.preset);
+                self.state.photograph = Some(session);
+            }
+            Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
+            Poll::Lost => self.state.notify(NoticeKind::Error, lost("opening", Path::new(&job.input.name()))),
+        }
+    }
+
+    /// Solves the photograph when its marks have moved, and lets the preset follow.
+    fn follow_photograph(&mut self, ctx: &Context) {
+        let Some(session) = &mut self.state.photograph else { return };
+        let preset = &mut self.state.document.preset;
+        if let Some(found) = session.solve(ctx, preset.space).filter(|_| session.is_followed) {
+            session.apply(&found, preset);
         }
     }
 
@@ -223,8 +318,21 @@ impl App {
             Panel::top("waiting").frame(bar).show(ui, |ui| self.waiting_for_dialog(ui));
         }
         Panel::bottom("status").frame(bar).show(ui, |ui| panels::status_bar::show(ui, &self.state));
+        match self.state.page {
+            Page::Author => self.author_page(ui, side, actions),
+            Page::Metals => panels::metals::show(ui, &mut self.state, actions),
+        }
+    }
+
+    fn author_page(&mut self, ui: &mut Ui, side: Frame, actions: &mut Vec<Action>) {
         Panel::right("inspector").frame(side).resizable(false).exact_size(theme::INSPECTOR_WIDTH).show(ui, |ui| {
             panels::inspector::show(ui, &mut self.state, actions);
+        });
+        let reading = self.reading.as_ref().map(|job| (job.input.name(), job.progress()));
+        let photograph = Panel::left("photograph").frame(side).resizable(true).default_size(theme::PHOTO_WIDTH);
+        photograph.size_range(theme::PHOTO_WIDTHS).show(ui, |ui| {
+            let reading = reading.as_ref().map(|(name, progress)| (name.as_str(), *progress));
+            panels::photograph::show(ui, &mut self.state, reading, actions);
         });
         CentralPanel::no_frame().frame(side).show(ui, |ui| panels::curves::show(ui, &mut self.state, actions));
     }
@@ -273,8 +381,11 @@ impl App {
 
     fn feed_history(&mut self, ctx: &Context) {
         let (time, is_pointer_down) = ctx.input(|input| (input.time, input.pointer.any_down()));
+        // A match on its way still belongs to the step that asked for it.
+        let is_solving =
+            self.state.photograph.as_ref().is_some_and(|session| session.is_followed && session.is_solving());
         let document = &mut self.state.document;
-        document.history.feed(time, is_pointer_down, &document.preset);
+        document.history.feed(time, is_pointer_down || is_solving, &document.preset);
         if document.history.is_waiting() {
             ctx.request_repaint_after_secs(STABLE_SECONDS);
         }
@@ -290,7 +401,27 @@ const NO_DIALOG: &str = "There is no file dialog service on this system. Type th
 
 /// Whether an action replaces the document or ends the program.
 fn loses_changes(action: &Action) -> bool {
-    matches!(action, Action::Run(Command::New | Command::Quit) | Action::Load(_) | Action::StartFrom(_))
+    match action {
+        Action::Load(path) => is_preset(path),
+        Action::Run(Command::New | Command::Quit) | Action::StartFrom(_) => true,
+        _ => false,
+    }
+}
+
+fn open_metal(path: &Path) -> Result<Metal, String> {
+    let stem = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy();
+    let text = read_text(path).map_err(|error| error.to_string())?;
+    metal_from_csv(&stem, &text).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// Presets are JSON files; everything else is for the reader of photographs to recognise.
+fn is_preset(path: &Path) -> bool {
+    has_extension(path, &["json"])
+}
+
+fn has_extension(path: &Path, known: &[&str]) -> bool {
+    let is_known = |extension: &std::ffi::OsStr| known.iter().any(|known| extension.eq_ignore_ascii_case(known));
+    path.extension().is_some_and(is_known)
 }
 
 fn lost(doing: &str, path: &Path) -> String {
@@ -306,6 +437,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         self.poll(&ctx);
+        self.follow_photograph(&ctx);
         let mut actions = Vec::new();
         self.open_dropped_files(&ctx, &mut actions);
         if self.prompt.is_none() {

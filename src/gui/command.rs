@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use eframe::egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Ui};
 
-use super::state::State;
+use super::state::{Page, State};
 use crate::metal::Metal;
+use crate::sample::Sample;
 
 /// Something with a menu entry, a key, or both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub enum Command {
     Open,
     /// Opens a preset or a photograph whose path is typed.
     OpenPath,
+    /// Opens a photograph that ships with the program.
+    OpenSample,
     /// Starts a preset from a measured metal.
     NewFromMetal,
     /// Saves the preset to its file.
@@ -34,6 +37,10 @@ pub enum Command {
     CopyR,
     /// Copies h.
     CopyH,
+    /// Shows the page of the preset.
+    ShowAuthor,
+    /// Shows the page of metals.
+    ShowMetals,
     /// Chooses the measured metal to compare with.
     Compare,
     /// Compares with nothing.
@@ -57,10 +64,11 @@ type Menu = (&'static str, &'static [&'static [Command]]);
 
 impl Command {
     /// Every command, in menu order.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 23] = [
         Self::New,
         Self::Open,
         Self::OpenPath,
+        Self::OpenSample,
         Self::NewFromMetal,
         Self::Save,
         Self::SaveAs,
@@ -70,6 +78,8 @@ impl Command {
         Self::Redo,
         Self::CopyR,
         Self::CopyH,
+        Self::ShowAuthor,
+        Self::ShowMetals,
         Self::Compare,
         Self::CompareNone,
         Self::ToggleGrazing,
@@ -86,7 +96,7 @@ impl Command {
             "File",
             &[
                 &[Self::New, Self::NewFromMetal],
-                &[Self::Open, Self::OpenPath],
+                &[Self::Open, Self::OpenPath, Self::OpenSample],
                 &[Self::Save, Self::SaveAs, Self::SavePath],
                 &[Self::Quit],
             ],
@@ -95,6 +105,7 @@ impl Command {
         (
             "View",
             &[
+                &[Self::ShowAuthor, Self::ShowMetals],
                 &[Self::Compare, Self::CompareNone],
                 &[Self::ToggleGrazing],
                 &[Self::ToggleTheme],
@@ -109,6 +120,7 @@ impl Command {
             Self::New => "New preset",
             Self::Open => "Open…",
             Self::OpenPath => "Open path…",
+            Self::OpenSample => "Open sample photograph…",
             Self::NewFromMetal => "New from metal…",
             Self::Save => "Save",
             Self::SaveAs => "Save as…",
@@ -118,6 +130,8 @@ impl Command {
             Self::Redo => "Redo",
             Self::CopyR => "Copy r",
             Self::CopyH => "Copy h",
+            Self::ShowAuthor => "Author page",
+            Self::ShowMetals => "Metals page",
             Self::Compare => "Compare with metal…",
             Self::CompareNone => "Compare with nothing",
             Self::ToggleGrazing => "Show 60–90° only",
@@ -133,7 +147,8 @@ impl Command {
     pub const fn tooltip(self) -> &'static str {
         match self {
             Self::New => "Start from a neutral grey metal",
-            Self::Open => "Choose a preset in the system's dialog",
+            Self::Open => "Choose a preset or a photograph in the system's dialog",
+            Self::OpenSample => "Open a photograph that ships with the program",
             Self::OpenPath => "Type the path of a preset or a photograph",
             Self::NewFromMetal => "Start from the exact r and h of a measured metal",
             Self::Save => "Write the preset to its file",
@@ -144,6 +159,8 @@ impl Command {
             Self::Redo => "Make the change again",
             Self::CopyR => "Copy the facing colour as linear numbers in the preset's space",
             Self::CopyH => "Copy the edge colour as linear numbers in the preset's space",
+            Self::ShowAuthor => "Author a preset, by hand or from a photograph",
+            Self::ShowMetals => "Look at measured metals and how far models are from them",
             Self::Compare => "Draw the measured truth of a metal beneath the preset",
             Self::CompareNone => "Draw the preset alone",
             Self::ToggleGrazing => "Spread the angles where metals differ most over the whole plot",
@@ -162,6 +179,7 @@ impl Command {
             Self::New => (Modifiers::COMMAND, Key::N),
             Self::Open => (Modifiers::COMMAND, Key::O),
             Self::OpenPath => (COMMAND_SHIFT, Key::O),
+            Self::OpenSample => (COMMAND_SHIFT, Key::P),
             Self::NewFromMetal => (COMMAND_SHIFT, Key::N),
             Self::Save => (Modifiers::COMMAND, Key::S),
             Self::SaveAs => (COMMAND_SHIFT, Key::S),
@@ -170,6 +188,8 @@ impl Command {
             Self::Redo => (COMMAND_SHIFT, Key::Z),
             Self::CopyR => (COMMAND_SHIFT, Key::R),
             Self::CopyH => (COMMAND_SHIFT, Key::H),
+            Self::ShowAuthor => (Modifiers::COMMAND, Key::Num1),
+            Self::ShowMetals => (Modifiers::COMMAND, Key::Num2),
             Self::Compare => (Modifiers::COMMAND, Key::M),
             Self::ToggleGrazing => (Modifiers::COMMAND, Key::G),
             Self::ToggleTheme => (Modifiers::COMMAND, Key::L),
@@ -197,12 +217,20 @@ impl Command {
         // Longest first: Ctrl+S would also answer to Ctrl+Shift+S.
         let mut by_length = Self::ALL.map(|command| (command, command.shortcut()));
         by_length.sort_by_key(|(_, shortcut)| shortcut.is_some_and(|s| !s.modifiers.shift));
-        let is_typing = ctx.egui_wants_keyboard_input();
+        let is_typing = ctx.text_edit_focused();
         by_length.into_iter().find_map(|(command, shortcut)| {
             let is_for_text = is_typing && matches!(command, Self::Undo | Self::Redo);
             let shortcut = shortcut.filter(|_| !is_for_text)?;
             ctx.input_mut(|input| input.consume_shortcut(&shortcut)).then_some(command)
         })
+    }
+
+    /// The command that shows a page.
+    pub(crate) const fn show(page: Page) -> Self {
+        match page {
+            Page::Author => Self::ShowAuthor,
+            Page::Metals => Self::ShowMetals,
+        }
     }
 
     /// A button for it, greyed out when it can do nothing.
@@ -224,8 +252,16 @@ pub(crate) enum Action {
     Load(PathBuf),
     /// Writes the preset to a file.
     SaveTo(PathBuf),
+    /// Opens a built-in photograph.
+    OpenSample(&'static Sample),
+    /// Gives up the photograph that is being read.
+    StopReading,
+    /// Closes the photograph.
+    ClosePhotograph,
     /// Starts a preset from a metal.
     StartFrom(&'static Metal),
+    /// Reads a file of n and k into the library.
+    AddMetal(PathBuf),
     /// Compares with a metal.
     CompareWith(&'static Metal),
 }

@@ -9,6 +9,8 @@ use crate::preset::Preset;
 pub(crate) struct History {
     undoer: Undoer<Preset>,
     was_pointer_down: bool,
+    /// A change that is not yet a step.
+    pending: Option<Preset>,
 }
 
 /// Seconds without a change after which typing becomes a step; egui's default.
@@ -17,17 +19,22 @@ pub(crate) const STABLE_SECONDS: f32 = 1.0;
 impl History {
     /// Starts over with a document that cannot be undone.
     pub(crate) fn restart(&mut self, preset: &Preset) {
-        self.undoer = Undoer::default();
+        *self = Self::default();
         self.undoer.add_undo(preset);
     }
 
     /// Once a frame: sees the document, unless a button is held and it is still on its way.
     pub(crate) fn feed(&mut self, time_seconds: f64, is_pointer_down: bool, preset: &Preset) {
         if is_pointer_down {
+            // What was there before the press is a step of its own.
+            if let Some(pending) = self.pending.take() {
+                self.undoer.add_undo(&pending);
+            }
             self.was_pointer_down = true;
             return;
         }
         self.undoer.feed_state(time_seconds, preset);
+        self.pending = self.undoer.is_in_flux().then(|| preset.clone());
         if std::mem::take(&mut self.was_pointer_down) {
             self.commit(time_seconds, preset);
         }
@@ -37,6 +44,7 @@ impl History {
     pub(crate) fn commit(&mut self, time_seconds: f64, preset: &Preset) {
         self.undoer.feed_state(time_seconds, preset);
         self.undoer.add_undo(preset);
+        self.pending = None;
     }
 
     /// True while a change waits to become a step.
@@ -101,6 +109,17 @@ mod tests {
             assert_eq!(preset, with_r(expected));
         }
         assert!(!history.can_redo(&preset));
+    }
+
+    #[test]
+    fn a_press_ends_the_step_before_it() {
+        let (mut history, mut time) = (History::default(), 0.0);
+        history.restart(&with_r(0.1));
+        history.feed(time, false, &with_r(0.2));
+        drag(&mut history, &mut time, &[0.3, 0.4]);
+        let mut preset = with_r(0.4);
+        history.undo(&mut preset);
+        assert_eq!(preset, with_r(0.2));
     }
 
     #[test]

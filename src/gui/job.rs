@@ -35,8 +35,10 @@ pub(crate) struct Progress {
 impl Progress {
     /// Says how much is done, 0 to 1; breaks when the job was dropped.
     pub(crate) fn report(&self, fraction: f32) -> ControlFlow<()> {
-        self.shared.progress.store(fraction.to_bits(), Ordering::Relaxed);
-        self.ctx.request_repaint();
+        let before = f32::from_bits(self.shared.progress.swap(fraction.to_bits(), Ordering::Relaxed));
+        if (fraction * PROGRESS_STEPS) as u32 != (before * PROGRESS_STEPS) as u32 {
+            self.ctx.request_repaint();
+        }
         if self.shared.is_cancelled.load(Ordering::Relaxed) {
             ControlFlow::Break(())
         } else {
@@ -44,6 +46,9 @@ impl Progress {
         }
     }
 }
+
+/// The window is repainted this often while a job reports.
+const PROGRESS_STEPS: f32 = 100.0;
 
 /// What a job has come to.
 pub(crate) enum Poll<Output> {
@@ -104,6 +109,62 @@ impl Drop for RepaintWhenDropped {
     }
 }
 
+/// Work that follows its input: while a job runs the input may change, and the next one starts with the newest.
+///
+/// A running job is never replaced, so that during a long drag results still appear.
+pub(crate) struct Follower<Input, Output> {
+    job: Option<Job<Input, Output>>,
+    finished: Option<Input>,
+}
+
+impl<Input, Output> Default for Follower<Input, Output> {
+    fn default() -> Self {
+        Self { job: None, finished: None }
+    }
+}
+
+impl<Input: Clone + PartialEq + Send + 'static, Output: Send + 'static> Follower<Input, Output> {
+    /// True while a job is at work.
+    pub(crate) fn is_busy(&self) -> bool {
+        self.job.is_some()
+    }
+
+    /// Sees to it that `work` is done for `input`; gives a result when one has come, with the input it is of.
+    pub(crate) fn follow(
+        &mut self,
+        ctx: &Context,
+        name: &str,
+        input: Input,
+        work: impl FnOnce(Input, &Progress) -> Output + Send + 'static,
+    ) -> Option<(Input, Output)> {
+        let finished = self.poll(name);
+        if self.job.is_none() && self.finished.as_ref() != Some(&input) {
+            match Job::start(ctx, name, input, work) {
+                Ok(job) => self.job = Some(job),
+                Err(error) => log::error!("{name}: no thread could be started: {error}"),
+            }
+        }
+        finished
+    }
+
+    fn poll(&mut self, name: &str) -> Option<(Input, Output)> {
+        let job = self.job.take()?;
+        match job.poll() {
+            Poll::Working => self.job = Some(job),
+            Poll::Done(output) => {
+                self.finished = Some(job.input.clone());
+                return Some((job.input.clone(), output));
+            }
+            Poll::Lost => {
+                log::error!("{name} ended unexpectedly");
+                // Not tried again with the same input: it would end the same way.
+                self.finished = Some(job.input.clone());
+            }
+        }
+        None
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -140,6 +201,22 @@ mod tests {
         .unwrap();
         drop(job);
         stopped.recv().expect("the thread saw the cancellation");
+    }
+
+    #[test]
+    fn a_follower_ends_at_the_newest_input() {
+        let mut follower = Follower::default();
+        let ctx = Context::default();
+        let mut results = Vec::new();
+        for input in [1, 2, 3, 3, 3] {
+            results.extend(follower.follow(&ctx, "test", input, |n, _| n * 10));
+        }
+        while results.last() != Some(&(3, 30)) {
+            results.extend(follower.follow(&ctx, "test", 3, |n, _| n * 10));
+            thread::yield_now();
+        }
+        assert_eq!(results[0], (1, 10), "a running job is not replaced");
+        assert!(follower.follow(&ctx, "test", 3, |n, _| n).is_none() && !follower.is_busy());
     }
 
     #[test]

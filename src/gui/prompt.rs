@@ -11,6 +11,7 @@ use super::theme;
 use super::truth::library_colours;
 use super::widgets::swatch;
 use crate::metal::{Metal, metals};
+use crate::sample::{Sample, samples};
 
 /// The question on show.
 #[derive(Clone, Debug)]
@@ -42,6 +43,8 @@ pub(crate) enum Prompt {
 pub(crate) enum Among {
     /// The commands.
     Commands,
+    /// The photographs that ship with the program.
+    Samples,
     /// Metals to start a preset from.
     MetalsToStartFrom,
     /// Metals to compare with.
@@ -139,6 +142,7 @@ fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mu
     ui.set_width(theme::FINDER_WIDTH);
     let hint = match among {
         Among::Commands => "Find a command",
+        Among::Samples => "Open a sample photograph",
         Among::MetalsToStartFrom => "Start from a metal",
         Among::MetalsToCompare => "Compare with a metal",
     };
@@ -175,6 +179,7 @@ fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mu
 
 enum Entry {
     Command(Command),
+    Sample(&'static Sample),
     /// A metal, by its place in the library.
     Metal(usize),
 }
@@ -183,6 +188,7 @@ impl Entry {
     fn action(&self, among: Among) -> Action {
         match (self, among) {
             (Self::Command(command), _) => Action::Run(*command),
+            (Self::Sample(sample), _) => Action::OpenSample(sample),
             (Self::Metal(index), Among::MetalsToCompare) => Action::CompareWith(&metals()[*index]),
             (Self::Metal(index), _) => Action::StartFrom(&metals()[*index]),
         }
@@ -196,6 +202,11 @@ impl Entry {
                 let button = row(command.label().to_owned(), key).min_size([ui.available_width(), 0.0].into());
                 ui.add_enabled(command.is_enabled(state), button).on_hover_text(command.tooltip())
             }
+            Self::Sample(sample) => {
+                let button = row(sample.facts.title.clone(), String::new());
+                let button = button.min_size([ui.available_width(), 0.0].into());
+                ui.add(button).on_hover_text(&sample.facts.description)
+            }
             Self::Metal(index) => {
                 let space = state.document.space();
                 let metal = &metals()[*index];
@@ -204,7 +215,8 @@ impl Entry {
                     for colour in [r, h] {
                         swatch(ui, colour, space, eframe::egui::Vec2::splat(16.0));
                     }
-                    let button = row(metal.name.clone(), metal.provenance.citation());
+                    let source = format!("{}  {}", metal.provenance.citation(), metal.dataset);
+                    let button = row(metal.name.clone(), source);
                     ui.add(button.min_size([ui.available_width(), 0.0].into()))
                 })
                 .inner
@@ -219,6 +231,10 @@ fn found(among: Among, text: &str) -> Vec<Entry> {
     if among == Among::Commands {
         let matching = Command::ALL.into_iter().filter(|command| command.label().to_lowercase().contains(&typed));
         return matching.filter(|command| *command != Command::Find).map(Entry::Command).collect();
+    }
+    if among == Among::Samples {
+        let matching = samples().iter().filter(|sample| sample.facts.title.to_lowercase().contains(&typed));
+        return matching.map(Entry::Sample).collect();
     }
     let words = |metal: &Metal| format!("{} {} {}", metal.name, metal.symbol, metal.id).to_lowercase();
     let begins = |metal: &Metal| metal.name.to_lowercase().starts_with(&typed) || metal.symbol.to_lowercase() == typed;

@@ -1,10 +1,11 @@
 //! The sphere previews: the preset, the truth beside it, and their difference, rendered on a job.
 
-use std::sync::Arc;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use super::job::{Job, Poll};
+use super::job::Follower;
 use crate::color::RgbSpace;
 use crate::fresnel::FresnelModel;
 use crate::metal::Metal;
@@ -86,11 +87,10 @@ pub(crate) struct Shown {
     pub truth: Option<(TextureHandle, TextureHandle, Difference)>,
 }
 
-/// The previews and the job that renders them. A job is never replaced: the next one starts when it ends, with
-/// whatever is wanted then, so that a long drag still shows pictures.
+/// The previews and the job that renders them.
 #[derive(Default)]
 pub(crate) struct Spheres {
-    working: Option<Job<Wanted, Rendered>>,
+    rendering: Follower<Wanted, Rendered>,
     kept: Option<Kept>,
     shown: Option<Shown>,
 }
@@ -98,7 +98,7 @@ pub(crate) struct Spheres {
 impl Spheres {
     /// True while a picture is being rendered.
     pub(crate) fn is_busy(&self) -> bool {
-        self.working.is_some()
+        self.rendering.is_busy()
     }
 
     /// The newest pictures there are.
@@ -108,23 +108,11 @@ impl Spheres {
 
     /// Sees to it that what is wanted will be shown.
     pub(crate) fn want(&mut self, ctx: &Context, wanted: Wanted) {
-        self.poll(ctx);
-        let is_current = self.kept.as_ref().is_some_and(|kept| kept.wanted == wanted);
-        if self.working.is_none() && !is_current {
-            let kept = self.kept.clone();
-            self.working = Job::start(ctx, "spheres", wanted, move |wanted, _| render(wanted, kept)).ok();
-        }
-    }
-
-    fn poll(&mut self, ctx: &Context) {
-        let Some(job) = self.working.take() else { return };
-        match job.poll() {
-            Poll::Working => self.working = Some(job),
-            Poll::Done(rendered) => {
-                self.shown = Some(Shown::new(ctx, &rendered));
-                self.kept = Some(rendered.kept);
-            }
-            Poll::Lost => log::error!("the sphere preview ended unexpectedly"),
+        let kept = self.kept.clone();
+        let rendered = self.rendering.follow(ctx, "spheres", wanted, move |wanted, _| render(wanted, kept));
+        if let Some((_, rendered)) = rendered {
+            self.shown = Some(Shown::new(ctx, &rendered));
+            self.kept = Some(rendered.kept);
         }
     }
 }
@@ -155,7 +143,7 @@ fn image(picture: &Srgb8Picture) -> ColorImage {
 fn render(wanted: Wanted, kept: Option<Kept>) -> Rendered {
     let view = match &kept {
         Some(kept) if kept.wanted.same_view(&wanted) => kept.view.clone(),
-        _ => Arc::new(SphereView::new(wanted.size, wanted.light, wanted.roughness, wanted.space)),
+        _ => view_of(&wanted),
     };
     let truth = match &kept {
         Some(kept) if kept.wanted.same_truth(&wanted) => kept.truth.clone(),
@@ -169,6 +157,27 @@ fn render(wanted: Wanted, kept: Option<Kept>) -> Rendered {
         Truth { picture: picture.to_srgb8(), map: map.to_false_colour(difference.full_scale), difference }
     });
     Rendered { preset: preset.to_srgb8(), truth: truth_shown, kept: Kept { wanted, view, truth } }
+}
+
+/// What one view depends on: light, size, space, and the bits of the roughness.
+type ViewKey = (Light, u32, RgbSpace, u64);
+
+/// How many views are kept: a person goes back and forth between a few lights.
+const KEPT_VIEWS: usize = 6;
+
+/// The view of a sphere. Blurring the light costs far more than rendering, so the last few are kept.
+fn view_of(wanted: &Wanted) -> Arc<SphereView> {
+    static VIEWS: Mutex<VecDeque<(ViewKey, Arc<SphereView>)>> = Mutex::new(VecDeque::new());
+    let key = (wanted.light, wanted.size, wanted.space, wanted.roughness.to_bits());
+    // Held while a view is made: whoever wants the same one then finds it. A panic leaves the list whole.
+    let mut views = VIEWS.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, view)) = views.iter().find(|(known, _)| *known == key) {
+        return view.clone();
+    }
+    let view = Arc::new(SphereView::new(wanted.size, wanted.light, wanted.roughness, wanted.space));
+    views.push_front((key, view.clone()));
+    views.truncate(KEPT_VIEWS);
+    view
 }
 
 /// The smallest round end of a scale that holds `max`.

@@ -1,9 +1,12 @@
 //! Everything the window shows, and nothing of how it shows it.
 
 use super::document::Document;
+use super::metals::MetalsPage;
+use super::photograph::Session;
 use super::spheres::Spheres;
 use super::truth::TruthCurves;
 use crate::metal::Metal;
+use crate::photo::MatchRequest;
 use crate::preset::Preset;
 use crate::render::Light;
 
@@ -12,7 +15,13 @@ use crate::render::Light;
 pub struct State {
     /// The open preset.
     pub document: Document,
+    /// The page on show.
+    pub page: Page,
     pub(crate) view: View,
+    pub(crate) metals: MetalsPage,
+    pub(crate) photograph: Option<Session>,
+    /// What is typed in the field for the path of a photograph.
+    pub(crate) path: String,
     pub(crate) truth: TruthCurves,
     pub(crate) spheres: Spheres,
     pub(crate) notices: Vec<Notice>,
@@ -22,7 +31,11 @@ impl State {
     pub(crate) fn new(preset: Preset) -> Self {
         Self {
             document: Document::new(preset, None),
+            page: Page::default(),
             view: View::default(),
+            metals: MetalsPage::default(),
+            photograph: None,
+            path: String::new(),
             truth: TruthCurves::default(),
             spheres: Spheres::default(),
             notices: Vec::new(),
@@ -37,9 +50,37 @@ impl State {
         }
     }
 
+    /// The marks of the open photograph.
+    pub fn marks(&self) -> Option<&MatchRequest> {
+        self.photograph.as_ref().map(|session| &session.request)
+    }
+
     /// The sentences on show, oldest first.
     pub fn notices(&self) -> impl Iterator<Item = &str> {
         self.notices.iter().map(|notice| notice.text.as_str())
+    }
+}
+
+/// The pages of the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    /// A preset, by hand or from a photograph.
+    #[default]
+    Author,
+    /// Measured metals and how far models are from them.
+    Metals,
+}
+
+impl Page {
+    /// Every page, in the order of the tabs.
+    pub const ALL: [Self; 2] = [Self::Author, Self::Metals];
+
+    /// The name on its tab.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Author => "Author",
+            Self::Metals => "Metals",
+        }
     }
 }
 

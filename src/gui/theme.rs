@@ -9,6 +9,7 @@ use eframe::egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, RichText, Shadow, Stroke,
     Style, TextStyle, Theme, Ui, Visuals, style::HandleShape, vec2,
 };
+use egui_plot::LineStyle;
 
 /// Size of the window when it first opens.
 pub(crate) const WINDOW_SIZE: [f32; 2] = [1280.0, 800.0];
@@ -30,6 +31,8 @@ pub(crate) const ROUNDING: u8 = 3;
 pub(crate) const PHOTO_WIDTH: f32 = 368.0;
 /// Width of the inspector of the preset.
 pub(crate) const INSPECTOR_WIDTH: f32 = 340.0;
+/// Width of the library of metals.
+pub(crate) const LIBRARY_WIDTH: f32 = 250.0;
 /// Width of the words in front of a row of fields.
 pub(crate) const LABEL_WIDTH: f32 = 84.0;
 /// Side of a sphere preview.
@@ -51,8 +54,42 @@ pub(crate) const FINDER_HEIGHT: f32 = 360.0;
 pub(crate) const CURVE: f32 = 2.0;
 /// Width of the curves it is compared with.
 pub(crate) const THIN_CURVE: f32 = 1.2;
+/// Width of a measured truth beneath models.
+pub(crate) const TRUTH_CURVE: f32 = 4.0;
 /// Radius of a handle on a curve.
 pub(crate) const HANDLE_RADIUS: f32 = 5.0;
+
+/// False colours of pixels that must not be measured: the same in both themes, since they stand on a photograph.
+pub(crate) const CLIPPED: Color32 = Color32::from_rgb(0xff, 0x2d, 0x2d);
+/// Too dark to measure.
+pub(crate) const BLACK: Color32 = Color32::from_rgb(0x2f, 0x5d, 0xff);
+/// Not a number.
+pub(crate) const NON_FINITE: Color32 = Color32::from_rgb(0xff, 0x3d, 0xf2);
+/// Below zero: outside Rec.709.
+pub(crate) const NEGATIVE: Color32 = Color32::from_rgb(0x2f, 0xe0, 0xe0);
+
+/// Marks on a photograph, with a dark edge so that they stand out on anything.
+pub(crate) const MARK: Color32 = Color32::from_rgb(0xff, 0xd8, 0x4d);
+/// The mark that is selected.
+pub(crate) const SELECTED_MARK: Color32 = Color32::from_gray(0xff);
+/// The edge of marks.
+pub(crate) const MARK_EDGE: Color32 = Color32::from_black_alpha(0xa0);
+/// A line at the limit of a band of angles, and its dark side.
+pub(crate) const BAND: Color32 = Color32::from_rgba_premultiplied(0x90, 0x90, 0x90, 0x90);
+/// The dark side of that line.
+pub(crate) const BAND_EDGE: Color32 = Color32::from_black_alpha(0x60);
+/// Half the side of a mark's grip.
+pub(crate) const GRIP: f32 = 4.0;
+/// How near the pointer must come to a grip.
+pub(crate) const GRIP_REACH: f32 = 9.0;
+/// Between the pixels of the loupe.
+pub(crate) const LOUPE_GRID: Color32 = Color32::from_gray(0x1c);
+/// Side of the loupe.
+pub(crate) const LOUPE: f32 = 112.0;
+/// Height of the photograph in its panel.
+pub(crate) const PHOTO_HEIGHT: f32 = 262.0;
+/// Least and greatest width of the panel of the photograph.
+pub(crate) const PHOTO_WIDTHS: std::ops::RangeInclusive<f32> = 320.0..=640.0;
 
 /// The colours that egui's own visuals have no place for.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +100,8 @@ pub(crate) struct Palette {
     pub channels: [Color32; 3],
     /// The accent, for what is selected and for handles.
     pub accent: Color32,
+    /// Models that are compared with each other.
+    pub models: [Color32; 8],
     /// Where the three channels are one.
     pub grey: Color32,
     /// Lines of a plot's grid.
@@ -85,6 +124,16 @@ const DARK: Palette = Palette {
         Color32::from_rgb(0x74, 0x9f, 0xee),
     ],
     accent: Color32::from_rgb(0x86, 0xac, 0xdc),
+    models: [
+        Color32::from_gray(0xf0),
+        Color32::from_rgb(0xe0, 0xa4, 0x58),
+        Color32::from_rgb(0xb9, 0xa0, 0xe8),
+        Color32::from_rgb(0x5f, 0xc4, 0xc0),
+        Color32::from_rgb(0x4f, 0x93, 0x90),
+        Color32::from_rgb(0xe2, 0x7f, 0xa4),
+        Color32::from_rgb(0xa9, 0xc4, 0x6c),
+        Color32::from_rgb(0x7d, 0x8f, 0xe6),
+    ],
     grey: Color32::from_gray(0xd0),
     grid: Color32::from_gray(0x34),
     guide: Color32::from_gray(0x86),
@@ -101,6 +150,16 @@ const LIGHT: Palette = Palette {
         Color32::from_rgb(0x2a, 0x5d, 0xbd),
     ],
     accent: Color32::from_rgb(0x2b, 0x5f, 0x9e),
+    models: [
+        Color32::from_gray(0x10),
+        Color32::from_rgb(0xa0, 0x5f, 0x0a),
+        Color32::from_rgb(0x66, 0x45, 0xa8),
+        Color32::from_rgb(0x0c, 0x74, 0x70),
+        Color32::from_rgb(0x4a, 0x84, 0x82),
+        Color32::from_rgb(0xa8, 0x2c, 0x5e),
+        Color32::from_rgb(0x55, 0x70, 0x14),
+        Color32::from_rgb(0x34, 0x44, 0xa8),
+    ],
     grey: Color32::from_gray(0x30),
     grid: Color32::from_gray(0xdc),
     guide: Color32::from_gray(0x74),
@@ -265,6 +324,21 @@ pub(crate) fn set_slider_handle(visuals: &mut Visuals) {
         widget.bg_fill = Color32::from_gray(0xf4);
         widget.fg_stroke = Stroke::new(1.0, Color32::from_gray(0x10));
     }
+}
+
+/// The look of a model's line among the models it is compared with, by its place in the list.
+pub(crate) fn contestant_line(index: usize) -> (LineStyle, f32) {
+    let style = match index {
+        0 => LineStyle::Solid,
+        1 => LineStyle::Dotted { spacing: 4.0 },
+        2 => LineStyle::Dashed { length: 9.0 },
+        3 => LineStyle::Dashed { length: 5.0 },
+        4 => LineStyle::Dotted { spacing: 7.0 },
+        5 => LineStyle::Dashed { length: 3.0 },
+        6 => LineStyle::Dashed { length: 14.0 },
+        _ => LineStyle::Dotted { spacing: 10.0 },
+    };
+    (style, if index == 0 { CURVE - 0.4 } else { THIN_CURVE })
 }
 
 /// Words above a group of controls.

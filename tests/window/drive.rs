@@ -5,12 +5,12 @@ use std::time::{Duration, Instant};
 
 use edgewise::gui::App;
 use edgewise::preset::Preset;
-use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, accesskit::Role, vec2};
+use eframe::egui::{Event, Key, Modifiers, Pos2, Theme, accesskit::Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 /// No job of these tests takes long; one that does not end must not hang the tests.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(120);
 
 pub struct Window {
     pub harness: Harness<'static, App>,
@@ -24,16 +24,31 @@ impl Window {
         window
     }
 
+    /// A window for a picture: the usual size, at fewer pixels so that the pictures in the repository stay small.
+    pub fn for_picture(theme: Theme) -> Self {
+        let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(30).with_theme(theme);
+        let builder = builder.with_pixels_per_point(0.7);
+        let mut window = Self { harness: builder.build_eframe(|cc| App::new(&cc.egui_ctx, None)) };
+        window.settle();
+        window
+    }
+
+    /// Holds what is shown against the picture of that name.
+    pub fn picture(&mut self, name: &str) {
+        self.harness.remove_cursor();
+        self.settle();
+        self.harness.snapshot(name);
+    }
+
     /// Runs frames until no job is at work and nothing moves.
     pub fn settle(&mut self) {
         let start = Instant::now();
-        self.harness.step();
+        self.harness.run();
         while self.harness.state().is_busy() {
             assert!(start.elapsed() < PATIENCE, "a job does not end");
             std::thread::sleep(Duration::from_millis(2));
-            self.harness.step();
+            self.harness.run();
         }
-        self.harness.run();
     }
 
     pub fn preset(&self) -> &Preset {
@@ -101,12 +116,7 @@ impl Window {
         self.drag(at(from), at(to));
     }
 
-    /// Where the control with this name is.
-    pub fn rect(&self, name: &str) -> Rect {
-        self.harness.get_by_label(name).rect()
-    }
-
     pub fn shows(&self, text: &str) -> bool {
-        self.harness.query_by_label_contains(text).is_some()
+        self.harness.query_all_by_label_contains(text).next().is_some()
     }
 }

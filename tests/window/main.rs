@@ -3,3 +3,6 @@
 mod author;
 mod drive;
 mod files;
+mod metals;
+mod photograph;
+mod pictures;

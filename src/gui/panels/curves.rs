@@ -6,13 +6,14 @@ use eframe::egui::{Grid, RichText, Ui};
 use egui_plot::LineStyle;
 
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
-use crate::fresnel::{CosTheta, FresnelModel, THETA_MAX_DEG};
+use crate::fresnel::{CosTheta, FresnelModel, THETA_MAX_DEG, Weights};
 use crate::gui::command::{Action, Command};
 use crate::gui::panels::spheres;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::truth::{at_angle, curve_angles_deg};
 use crate::gui::widgets::{CurvePlot, Handle, PlotLine, line_sample, strip};
+use crate::preset::{Origin, Preset};
 
 /// Dashes of the measured truth.
 const TRUTH: LineStyle = LineStyle::Dashed { length: 6.0 };
@@ -35,6 +36,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         lines.push(PlotLine { name: "truth", curve, style: TRUTH, width: theme::THIN_CURVE, opacity: 0.95 });
     }
     lines.push(PlotLine { name: "preset", curve: &curve, style: LineStyle::Solid, width: theme::CURVE, opacity: 1.0 });
+    let band = uncertainty_band(&state.document.preset, &curve);
     let range_deg = if state.view.is_grazing_only { 60.0..=90.0 } else { 0.0..=90.0 };
     let preset = &state.document.preset;
     let handles = [
@@ -45,7 +47,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + spheres::HEIGHT + theme::GROUP_GAP;
     let plot = CurvePlot {
         lines: &lines,
-        band: None,
+        band: band.as_ref().map(|(low, high)| (low.as_slice(), high.as_slice())),
         handles: &handles,
         range_deg: range_deg.clone(),
         cursor_deg: state.view.cursor_deg,
@@ -73,6 +75,21 @@ const READ_OUT: f32 = 58.0;
 /// The curve of a model at the angles of the plot.
 pub(crate) fn sample(model: &FresnelModel) -> Vec<Rgb> {
     curve_angles_deg().map(|deg| model.reflectance(CosTheta::from_deg(deg))).collect()
+}
+
+/// The standard uncertainty of a matched curve, by the weights of r and h at each angle; `None` where either colour
+/// was not measured or was changed since.
+fn uncertainty_band(preset: &Preset, curve: &[Rgb]) -> Option<(Vec<Rgb>, Vec<Rgb>)> {
+    let Origin::Matched(recipe) = &preset.origin else { return None };
+    let complete = |values: [Option<f64>; 3]| Some(Rgb([values[0]?, values[1]?, values[2]?]));
+    let (r, h) = (complete(recipe.r_uncertainty)?, complete(recipe.h_uncertainty)?);
+    let at = |deg: f64| {
+        let weights = Weights::at(CosTheta::from_deg(deg));
+        r.zip(h, |r, h| (weights.of_r * r).hypot(weights.of_h * h))
+    };
+    let uncertainties: Vec<Rgb> = curve_angles_deg().map(at).collect();
+    let shifted = |sign: f64| curve.iter().zip(&uncertainties).map(|(&f, &u)| f + u * sign).collect();
+    Some((shifted(-1.0), shifted(1.0)))
 }
 
 fn keep_cursor(ui: &Ui, state: &mut State, cursor_deg: Option<f64>, range_deg: &RangeInclusive<f64>) {

@@ -1,15 +1,27 @@
 //! The menus, and the button for dark and light.
 
-use eframe::egui::{Align, Layout, MenuBar, Ui};
+use eframe::egui::{Align, Button, Layout, MenuBar, Ui, Vec2};
 
 use crate::gui::command::{Action, Command};
-use crate::gui::state::State;
+use crate::gui::state::{Page, State};
+use crate::gui::theme;
 
 /// Shows the menu bar.
 pub(crate) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     MenuBar::new().ui(ui, |ui| {
         for (name, groups) in Command::MENUS {
             ui.menu_button(name, |ui| menu(ui, groups, state, actions));
+        }
+        ui.add_space(theme::GROUP_GAP);
+        for page in Page::ALL {
+            let command = Command::show(page);
+            let tab = Button::selectable(state.page == page, theme::title(page.label()))
+                .min_size(Vec2::new(72.0, theme::ROW));
+            let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default();
+            let response = ui.add(tab).on_hover_text(format!("{} ({key})", command.tooltip()));
+            if response.accessible_name(page.label()).clicked() {
+                actions.push(command.into());
+            }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let next = if ui.visuals().dark_mode { "Light" } else { "Dark" };

@@ -2,7 +2,10 @@
 
 pub(crate) mod curves;
 pub(crate) mod inspector;
+pub(crate) mod matching;
 pub(crate) mod menu_bar;
+pub(crate) mod metals;
 pub(crate) mod notices;
+pub(crate) mod photograph;
 pub(crate) mod spheres;
 pub(crate) mod status_bar;

@@ -2,8 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Color32, Id, Pos2, Rect, Sense, Ui, Vec2, pos2};
-use egui_plot::{FilledArea, GridInput, GridMark, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, VLine};
+use eframe::egui::{Color32, Id, Pos2, Rangef, Rect, Sense, Ui, Vec2, pos2};
+use egui_plot::{
+    AxisHints, FilledArea, GridInput, GridMark, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, VLine,
+};
 
 use super::channel_names;
 use crate::color::Rgb;
@@ -85,9 +87,15 @@ impl CurvePlot<'_> {
             .sense(Sense::hover())
             .x_grid_spacer(move |input| grid(input, if end - start > 45.0 { 10.0 } else { 5.0 }))
             .y_grid_spacer(|input| grid(input, 0.2))
-            .x_axis_formatter(|mark, _| format!("{:.0}°", mark.value))
-            .y_axis_formatter(|mark, _| format!("{:.1}", mark.value))
-            .y_axis_min_width(theme::AXIS_WIDTH)
+            .custom_x_axes(vec![
+                AxisHints::new_x().label_spacing(LABEL_SPACING).formatter(|mark, _| format!("{:.0}°", mark.value)),
+            ])
+            .custom_y_axes(vec![
+                AxisHints::new_y()
+                    .min_thickness(theme::AXIS_WIDTH)
+                    .label_spacing(LABEL_SPACING)
+                    .formatter(|mark, _| format!("{:.1}", mark.value)),
+            ])
             .grid_color(palette.grid)
             .grid_fade(0.0)
             .label_formatter(|_| None)
@@ -196,7 +204,10 @@ fn paint_handle(ui: &Ui, frame: Rect, dot: Pos2, colour: Color32, is_near: bool)
     painter.circle(dot, radius, colour, eframe::egui::Stroke::new(1.5, Palette::of(ui).canvas));
 }
 
-fn grid(input: GridInput, step: f64) -> Vec<GridMark> {
+/// Points between marks of an axis from which its numbers fade in, and at which they are whole.
+pub(super) const LABEL_SPACING: Rangef = Rangef { min: 18.0, max: 28.0 };
+
+pub(super) fn grid(input: GridInput, step: f64) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let first = (low / step).ceil() as i64;
     let last = (high / step).floor() as i64;

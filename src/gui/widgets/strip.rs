@@ -2,12 +2,12 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Align2, Color32, Mesh, Rect, Sense, StrokeKind, TextStyle, Ui, Vec2, pos2};
+use eframe::egui::{Align2, Mesh, Rect, Sense, StrokeKind, TextStyle, Ui, Vec2, pos2};
 
+use super::swatch::{clipped_corner, colour32};
 use crate::color::{Rgb, RgbSpace};
 use crate::gui::theme::{self, Palette};
 use crate::gui::truth::at_angle;
-use crate::gui::widgets::colour32;
 
 /// Shows `curve` as a strip between the left and right ends of `frame`, with its name at the left; returns the angle
 /// under the pointer.
@@ -26,13 +26,7 @@ pub(crate) fn strip(
     let font = TextStyle::Small.resolve(ui.style());
     ui.painter().text(pos2(frame.left() - theme::GAP, row.center().y), Align2::RIGHT_CENTER, name, font, label);
     if is_clipped {
-        let corner = rect.right_top();
-        let triangle = vec![corner, corner + Vec2::new(-8.0, 0.0), corner + Vec2::new(0.0, 8.0)];
-        ui.painter().add(eframe::egui::Shape::convex_polygon(
-            triangle,
-            Palette::of(ui).warning,
-            eframe::egui::Stroke::NONE,
-        ));
+        ui.painter().add(clipped_corner(rect, Palette::of(ui).warning));
     }
     let pointer = response.hover_pos().filter(|pointer| rect.contains(*pointer))?;
     let weight = f64::from((pointer.x - rect.left()) / rect.width());
@@ -55,11 +49,5 @@ fn paint(ui: &Ui, rect: Rect, curve: &[Rgb], space: RgbSpace, range_deg: &RangeI
     }
     ui.painter().add(mesh);
     ui.painter().rect_stroke(rect, 0, ui.visuals().window_stroke(), StrokeKind::Outside);
-    debug_assert_ne!(steps, 0);
     is_clipped
-}
-
-/// The colour of a line over a patch: black or white, whichever can be read.
-pub(crate) fn readable_on(colour: Color32) -> Color32 {
-    if colour.intensity() > 0.5 { Color32::BLACK } else { Color32::WHITE }
 }

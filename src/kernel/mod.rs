@@ -1,0 +1,1 @@
+//! Models over slices of f32, for speed.

@@ -1,0 +1,1 @@
+//! From the angles a scene shows to the cheapest model within a tolerance.
