@@ -74,6 +74,9 @@ impl NkTable {
 
     fn push(&mut self, row: usize, wavelength_nm: f64, nk: Nk) -> Result<(), NkTableError> {
         Self::check_row(row, self.wavelength_nm.last().copied(), wavelength_nm, &[("n", nk.n), ("k", nk.k)])?;
+        if nk.n == 0.0 && nk.k == 0.0 {
+            return Err(NkTableError::NoIndex { row });
+        }
         self.wavelength_nm.push(wavelength_nm);
         self.nk.push(nk);
         Ok(())
