@@ -199,9 +199,9 @@ impl Way {
             let moved = |channel: usize| self.moved(pair.edge[channel], scale, sign(channel));
             let off = Pair { edge: Rgb(std::array::from_fn(moved)), ..pair }.limited();
             let curve: Vec<Rgb> = angles().map(|angle| off.reflectance(angle)).collect();
-            largest(&delta_e_of_curves(&curve, &exact, space))
+            largest(delta_e_of_curves(&curve, &exact, space))
         };
-        largest(&[0, 1, 2, 3, 4, 5, 6, 7].map(delta_e))
+        largest([0, 1, 2, 3, 4, 5, 6, 7].map(delta_e))
     }
 
     /// The value some codes away from where it is; the steps of a half float are those at the value.
