@@ -597,7 +597,7 @@ fn export_writes_files_and_says_what_they_lose() {
     assert!(stderr(&exported).contains("open-pbr: Gold: its reader would clip r red"), "{}", stderr(&exported));
 
     let preset = folder.path().join("p.json");
-    Preset::new_authored().save(&preset).unwrap();
+    Preset { roughness: 0.0, ..Preset::new_authored() }.save(&preset).unwrap();
     let listed = quiet(&["export", preset.to_str().unwrap(), "--to", "glsl", "-o", path, "--format", "csv"]);
     assert_eq!(listed.lines().next(), Some("target,file,bytes"));
     assert!(

@@ -300,6 +300,34 @@ fn a_metal_out_of_range_is_clipped_with_a_word() {
 }
 
 #[test]
+fn what_a_file_has_no_place_for_is_told() {
+    let [gold, _] = gold_and_chromium();
+    let told = |preset: &Preset, target| {
+        let exported = export(preset, target, &Options::default()).unwrap();
+        exported.losses.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let mirror = Preset { roughness: 0.0, ..gold.clone() };
+    let rough = Preset { roughness: 0.3, ..gold };
+    for target in Target::ALL {
+        let has = |preset, what: &str| told(preset, target).iter().any(|sentence| sentence.contains(what));
+        assert_eq!(has(&rough, "roughness 0.3"), !target.says_roughness(), "{target}");
+        assert!(!has(&mirror, "roughness"), "{target}");
+        assert_eq!(has(&mirror, "not the curve"), target.is_palette(), "{target}");
+    }
+}
+
+/// A red of Rec.2020 leaves Rec.709, and a tint above 1 leaves every space.
+#[test]
+fn blender_is_told_for_each_of_its_spaces() {
+    let told = |preset: &Preset| export(preset, Target::Blender, &Options::default()).unwrap().losses;
+    let spaces = |preset: &Preset| told(preset).iter().map(|loss| loss.space).collect::<Vec<_>>();
+    let dim = preset("dim", [0.5; 3], [0.95; 3]);
+    assert_eq!(spaces(&dim), [RgbSpace::LinRec709, RgbSpace::LinRec2020, RgbSpace::AcesCg]);
+    let red = Preset { space: RgbSpace::LinRec2020, ..preset("red", [0.9, 0.1, 0.1], [0.9, 0.3, 0.3]) };
+    assert!(spaces(&red).contains(&RgbSpace::LinRec709) && !spaces(&red).contains(&RgbSpace::LinRec2020));
+}
+
+#[test]
 fn a_space_the_reader_does_not_know_is_refused() {
     let [gold, _] = gold_and_chromium();
     let error = export(&gold, Target::Gltf, &Options { space: Some(RgbSpace::AcesCg) }).unwrap_err();

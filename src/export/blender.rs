@@ -9,7 +9,7 @@ use super::tint::Tint;
 use crate::color::RgbSpace;
 
 /// The working spaces a Blender file can have, by their Color Interop identifiers; before 5.0 only the first.
-const WORKING_SPACES: [(&str, RgbSpace); 3] = [
+pub(super) const WORKING_SPACES: [(&str, RgbSpace); 3] = [
     ("lin_rec709_scene", RgbSpace::LinRec709),
     ("lin_rec2020_scene", RgbSpace::LinRec2020),
     ("lin_ap1_scene", RgbSpace::AcesCg),

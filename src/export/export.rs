@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::edge_tint::EdgeTint;
-use super::loss::{Cause, Difference};
+use super::loss::{Cause, Difference, Part};
 use super::material::Material;
 use super::swatch::Swatch;
 use super::tint::Tint;
@@ -31,7 +31,7 @@ pub fn export(preset: &Preset, target: Target, options: &Options) -> Result<Expo
 pub fn export_as(stem: &str, preset: &Preset, target: Target, options: &Options) -> Result<Exported, ExportError> {
     let material = Material::new(preset, target, options)?;
     let translation = Translation::of(&material, target);
-    let losses = translation.losses(&material);
+    let losses = translation.losses(&material, target);
     let header = header(&material, &losses);
     let bytes = (translation.write)(&header).map_err(ExportError::write(target))?;
     Ok(Exported { files: vec![ExportFile { name: file_name(stem, target, material.space), bytes }], losses })
@@ -57,7 +57,7 @@ fn export_palette(presets: &[Preset], target: Target, options: &Options) -> Resu
     let mut losses = Vec::new();
     for preset in presets {
         let material = Material::new(preset, target, options)?;
-        losses.extend(Translation::of(&material, target).losses(&material));
+        losses.extend(Translation::of(&material, target).losses(&material, target));
         swatches.extend(Swatch::pair(&material));
     }
     let stem = if let [preset] = presets { file_stem(&preset.name) } else { "edgewise".to_owned() };
@@ -70,7 +70,7 @@ fn export_palette(presets: &[Preset], target: Target, options: &Options) -> Resu
 pub fn shown(preset: &Preset, target: Target, options: &Options) -> Result<Shown, ExportError> {
     let material = Material::new(preset, target, options)?;
     let translation = Translation::of(&material, target);
-    let losses = translation.losses(&material);
+    let losses = translation.losses(&material, target);
     Ok(Shown { space: material.space, wanted: material.model(), model: translation.model, losses })
 }
 
@@ -173,11 +173,35 @@ impl<'a> Translation<'a> {
         Self { model, causes, write: Box::new(move |_| write_palette(target, &stem, &swatches)) }
     }
 
-    fn losses(&self, material: &Material<'_>) -> Vec<Loss> {
+    /// What is lost in every space the file speaks for, and what the file has no place for.
+    fn losses(&self, material: &Material<'_>, target: Target) -> Vec<Loss> {
         let difference = Difference::between(&material.model(), &self.model, material.space);
-        let loss = |cause: &Cause| Loss { preset: material.name.clone(), cause: cause.clone(), difference };
-        self.causes.iter().map(loss).collect()
+        let loss = |cause| Loss { preset: material.name.clone(), space: material.space, cause, difference };
+        let mut losses = match target {
+            Target::Blender => blender_losses(material),
+            _ => self.causes.iter().cloned().map(loss).collect(),
+        };
+        losses.extend(dropped(material, target).map(|part| loss(Cause::Dropped(part))));
+        losses
     }
+}
+
+/// The script holds the numbers of three working spaces, and which is used is known only when it runs.
+fn blender_losses(material: &Material<'_>) -> Vec<Loss> {
+    let mut losses = Vec::new();
+    for (_, space) in blender::WORKING_SPACES {
+        let tint = Tint::in_space(material, space);
+        let difference = Difference::between(&material.preset.in_space(space).model(), &tint.model(), space);
+        let loss = |cause| Loss { preset: material.name.clone(), space, cause, difference };
+        losses.extend(tint.causes().into_iter().map(loss));
+    }
+    losses
+}
+
+fn dropped(material: &Material<'_>, target: Target) -> impl Iterator<Item = Part> {
+    let roughness = (!target.says_roughness() && material.roughness > 0.0).then(|| Part::Roughness(material.roughness));
+    let curve = target.is_palette().then_some(Part::Curve);
+    roughness.into_iter().chain(curve)
 }
 
 fn write_palette(target: Target, title: &str, swatches: &[Swatch]) -> Written {

@@ -44,6 +44,18 @@ pub enum Cause {
     Fitted(&'static str),
     /// Colours were rounded to this many bits.
     Rounded(u32),
+    /// The file has no place for this part of the preset.
+    Dropped(Part),
+}
+
+/// A part of a preset that a file may have no place for.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Part {
+    /// The perceptual roughness; 0 is what a file without one says.
+    Roughness(f64),
+    /// What lies between and beyond r and h.
+    Curve,
 }
 
 /// The distance of two curves over 0–90°.
@@ -73,6 +85,8 @@ impl Difference {
 pub struct Loss {
     /// Name of the preset.
     pub preset: String,
+    /// The space of the numbers it is about.
+    pub space: RgbSpace,
     /// Why.
     pub cause: Cause,
     /// How far all that this target does to the preset takes its curve.
@@ -82,11 +96,15 @@ pub struct Loss {
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Difference { max_delta_f, max_delta_e } = self.difference;
+        write!(f, "{}: {}", self.preset, self.cause)?;
+        match self.cause {
+            Cause::Dropped(_) => return Ok(()),
+            Cause::Clipped(_) => write!(f, " in {}", self.space)?,
+            Cause::Fitted(_) | Cause::Rounded(_) => {}
+        }
         write!(
             f,
-            "{}: {}; the curve shown is off by at most {max_delta_f:.2} in F and {max_delta_e:.2} in ΔE2000",
-            self.preset,
-            self.cause,
+            "; the curve shown is off by at most {max_delta_f:.2} in F and {max_delta_e:.2} in ΔE2000",
             max_delta_f = Short(max_delta_f),
             max_delta_e = Short(max_delta_e),
         )
@@ -102,6 +120,8 @@ impl fmt::Display for Cause {
             }
             Self::Fitted(what) => write!(f, "{what} can only be fitted to the curve"),
             Self::Rounded(bits) => write!(f, "colours have {bits} bits"),
+            Self::Dropped(Part::Roughness(roughness)) => write!(f, "the file cannot say its roughness {roughness}"),
+            Self::Dropped(Part::Curve) => f.write_str("the file says two colours and not the curve between them"),
         }
     }
 }
@@ -156,10 +176,11 @@ mod tests {
     fn a_loss_is_one_sentence() {
         let clips = vec![Clip { parameter: Parameter::T, channel: 1, before: 1.0123, after: 1.0 }];
         let difference = Difference { max_delta_f: 0.012345, max_delta_e: 0.5 };
-        let loss = Loss { preset: "Gold".to_owned(), cause: Cause::Clipped(clips), difference };
+        let loss =
+            Loss { preset: "Gold".to_owned(), space: RgbSpace::AcesCg, cause: Cause::Clipped(clips), difference };
         assert_eq!(
             loss.to_string(),
-            "Gold: its reader would clip t green 1.0123 → 1.0; \
+            "Gold: its reader would clip t green 1.0123 → 1.0 in acescg; \
              the curve shown is off by at most 0.012 in F and 0.5 in ΔE2000"
         );
     }

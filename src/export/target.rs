@@ -154,6 +154,12 @@ impl Target {
         matches!(self, Self::Gpl | Self::Ase | Self::Aco)
     }
 
+    /// True where the file has a place for the roughness.
+    pub const fn says_roughness(self) -> bool {
+        use Target::{Aco, Ase, Csv, Cube, Exr, Glsl, Gpl, Hlsl, Osl, Wgsl};
+        !matches!(self, Csv | Glsl | Hlsl | Wgsl | Osl | Cube | Exr | Gpl | Ase | Aco)
+    }
+
     /// True for files a person can read.
     pub const fn is_text(self) -> bool {
         !matches!(self, Self::Gltf | Self::Exr | Self::Ase | Self::Aco)
