@@ -14,8 +14,7 @@ use super::prompt::{Among, Answer, Prompt};
 use super::state::{NoticeKind, Page, State};
 use super::{panels, theme};
 use crate::color::Rgb;
-use crate::file::read_text;
-use crate::metal::{Metal, metal_by_name, metal_from_csv};
+use crate::metal::{Metal, metal_by_name};
 use crate::preset::Preset;
 
 /// The window.
@@ -183,7 +182,7 @@ impl App {
 
     /// Opens a preset, or a photograph where the name is not a preset's.
     fn load(&mut self, ctx: &Context, path: PathBuf) {
-        if has_extension(&path, &["csv"]) {
+        if has_extension(&path, &["csv", "yml", "yaml"]) {
             return self.add_metal(ctx, path);
         }
         if !is_preset(&path) {
@@ -197,7 +196,7 @@ impl App {
     }
 
     fn add_metal(&mut self, ctx: &Context, path: PathBuf) {
-        let job = Job::start(ctx, "read metal", path, |path, _| open_metal(&path));
+        let job = Job::start(ctx, "read metal", path, |path, _| Metal::open(&path).map_err(|error| error.to_string()));
         self.adding = self.started(job);
     }
 
@@ -406,12 +405,6 @@ fn loses_changes(action: &Action) -> bool {
         Action::Run(Command::New | Command::Quit) | Action::StartFrom(_) => true,
         _ => false,
     }
-}
-
-fn open_metal(path: &Path) -> Result<Metal, String> {
-    let stem = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy();
-    let text = read_text(path).map_err(|error| error.to_string())?;
-    metal_from_csv(&stem, &text).map_err(|error| format!("{}: {error}", path.display()))
 }
 
 /// Presets are JSON files; everything else is for the reader of photographs to recognise.

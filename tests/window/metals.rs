@@ -68,3 +68,15 @@ fn a_file_of_n_and_k_joins_the_library_or_is_refused_in_a_sentence() {
     let notices = window.notices();
     assert!(notices.len() == 1 && notices[0].contains("bad.csv"), "{notices:?}");
 }
+
+#[test]
+fn a_file_of_refractiveindex_info_joins_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.yml");
+    let rows: String = (40..=70).step_by(5).map(|part| format!("        0.{part} 1.2 3.4\n")).collect();
+    fs::write(&path, format!("DATA:\n  - type: tabulated nk\n    data: |\n{rows}")).unwrap();
+    let mut window = open_metals();
+    window.enter("Path of a file of n and k", path.to_str().unwrap());
+    assert_eq!(window.notices(), [""; 0]);
+    assert!(window.shows("The data cover 400–700 nm"));
+}

@@ -68,7 +68,7 @@ impl MarkShape {
         match self {
             Self::Round(c) => {
                 let (along, is_across) =
-                    if grip % 2 == 0 { (px - opposite[0], true) } else { (py - opposite[1], false) };
+                    if grip.is_multiple_of(2) { (px - opposite[0], true) } else { (py - opposite[1], false) };
                 let side = if grip < 2 { 1.0 } else { -1.0 };
                 let radius = (along * side / 2.0).max(SMALLEST);
                 let centre = |fixed: f64| fixed + side * radius;

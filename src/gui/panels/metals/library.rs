@@ -77,7 +77,7 @@ fn row(ui: &mut Ui, page: &mut MetalsPage, entry: &Entry) {
 }
 
 fn own_files(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>) {
-    ui.label(theme::hint("Your own n and k as CSV"));
+    ui.label(theme::hint("Your own n and k: CSV or refractiveindex.info YAML"));
     ui.horizontal(|ui| {
         let field = TextEdit::singleline(&mut page.path).desired_width(ui.available_width() - 58.0);
         let response = ui.add(field.hint_text("Path, or drop a file")).accessible_name("Path of a file of n and k");
