@@ -7,6 +7,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`file`] | files, whole or not at all |
+//! | [`number`] | extremes and the median, with which NaN is not lost |
 //! | [`color`] | linear triples, RGB spaces, adaptation, Lab and CIEDE2000, encodings |
 //! | [`spectrum`] | the observer, the illuminants, the way from a spectrum to RGB |
 //! | [`fresnel`] | one file per model, and the region of reflectances |
@@ -16,12 +17,10 @@
 //! | [`sample`] | rendered photographs whose r and h are known |
 //! | [`preset`] | the document, its file, the library |
 //! | [`study`] | the paper's evidence, measured |
-//! | [`scene`] | the cheapest model for the angles a scene shows |
 //! | [`render`] | spheres and difference pictures, on the CPU |
 //! | [`figure`] | plots and strips as SVG or PNG |
 //! | [`export`] | what a preset says to each renderer |
 //! | [`import`] | what other programs say about a metal |
-//! | [`kernel`] | the models over slices of `f32`, for speed |
 //!
 //! The library knows nothing of windows, arguments or printing: `cli` and `gui` are two shells over it.
 
@@ -32,13 +31,12 @@ pub mod file;
 pub mod fit;
 pub mod fresnel;
 pub mod import;
-pub mod kernel;
 pub mod metal;
+pub mod number;
 pub mod photo;
 pub mod preset;
 pub mod render;
 pub mod sample;
-pub mod scene;
 pub mod spectrum;
 pub mod study;
 

@@ -67,10 +67,32 @@ fn files_are_as_they_were() {
     }
     for file in files() {
         let golden = fs::read(folder().join(&file.name)).unwrap_or_else(|error| panic!("{}: {error}", file.name));
-        let [golden, now] = [&golden, &file.bytes].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
-        let changed = golden.lines().zip(now.lines()).find(|(before, after)| before != after);
-        assert!(golden == now, "{} has changed, first in {changed:?}; see the head of this test", file.name);
+        let changed = first_change(&golden, &file.bytes);
+        assert!(changed.is_none(), "{} has changed {}; see the head of this test", file.name, changed.unwrap());
     }
+}
+
+/// Where two files first differ, byte by byte, and the line around it, as far as it is text.
+fn first_change(before: &[u8], after: &[u8]) -> Option<String> {
+    if before == after {
+        return None;
+    }
+    let at = before.iter().zip(after).take_while(|(before, after)| before == after).count();
+    let line = |bytes: &[u8]| {
+        let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        let line = bytes[start..].split(|byte| *byte == b'\n').next().unwrap_or_default();
+        String::from_utf8_lossy(line).into_owned()
+    };
+    Some(format!("at byte {at}: {:?} was {:?}", line(after), line(before)))
+}
+
+#[test]
+fn one_byte_of_a_swatch_file_is_a_change() {
+    assert_eq!(first_change(&[0x80, 0xfe], &[0x80, 0xfe]), None);
+    for (before, after) in [([0x80, 0xfe], [0x80, 0xff]), ([b'a', b'\n'], [b'a', b'\r'])] {
+        assert!(first_change(&before, &after).unwrap().starts_with("at byte 1"));
+    }
+    assert!(first_change(b"ab", b"abc").unwrap().starts_with("at byte 2"));
 }
 
 #[test]

@@ -28,14 +28,34 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The layers named by `crate::layer` or `crate::{layer, …}` in a source text.
+/// The layers named by `crate::layer` or `crate::{layer, layer::{…}, …}` in a source text.
 fn used(source: &str, layers: &Layers) -> BTreeSet<String> {
     let after_crate = source.split("crate::").skip(1);
     let names = after_crate.flat_map(|rest| match rest.strip_prefix('{') {
-        Some(group) => group.split('}').next().unwrap_or_default().split([',', ':']).map(str::trim).collect::<Vec<_>>(),
-        None => vec![rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default()],
+        Some(group) => heads(group),
+        None => vec![first_name(rest)],
     });
     names.filter(|name| layers.contains_key(*name)).map(str::to_owned).collect()
+}
+
+/// The first name of each path of a group whose `{` was read, up to its `}`; groups inside are passed over.
+fn heads(group: &str) -> Vec<&str> {
+    let mut depth = 0;
+    let mut heads = vec![first_name(group)];
+    for (at, c) in group.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' if depth == 0 => break,
+            '}' => depth -= 1,
+            ',' if depth == 0 => heads.push(first_name(&group[at + 1..])),
+            _ => {}
+        }
+    }
+    heads
+}
+
+fn first_name(path: &str) -> &str {
+    path.trim_start().split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
 #[test]
@@ -64,4 +84,10 @@ fn no_path_leaves_the_table() {
 fn the_reader_of_paths_sees_groups_and_single_names() {
     let found = used("use crate::color::Rgb; use crate::{gui, fresnel::CosTheta};", &allowed());
     assert_eq!(found, ["color", "fresnel", "gui"].map(str::to_owned).into());
+}
+
+#[test]
+fn the_reader_of_paths_looks_behind_groups_inside_groups() {
+    let nested = "use crate::{color::{Rgb, metal}, photo::{read::{a, b}, c},\n    gui, metals}; use super::fit;";
+    assert_eq!(used(nested, &allowed()), ["color", "gui", "photo"].map(str::to_owned).into());
 }

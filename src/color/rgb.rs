@@ -4,6 +4,8 @@ use std::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub};
 
 use serde::{Deserialize, Serialize};
 
+use crate::number::{largest, smallest};
+
 /// Three linear, unclamped channels of some [`RgbSpace`](super::RgbSpace).
 ///
 /// The channels have no names on purpose: `r`, `g`, `h`, `n`, `k` and `t` are
@@ -37,14 +39,14 @@ impl Rgb {
         self.0.iter().all(|v| v.is_finite())
     }
 
-    /// Largest channel.
+    /// Largest channel; NaN if any is.
     pub fn max_channel(self) -> f64 {
-        self.0.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+        largest(self.0)
     }
 
-    /// Smallest channel.
+    /// Smallest channel; NaN if any is.
     pub fn min_channel(self) -> f64 {
-        self.0.iter().copied().fold(f64::INFINITY, f64::min)
+        smallest(self.0)
     }
 
     /// True when every channel lies in `[0, 1]`.
@@ -62,7 +64,7 @@ impl Rgb {
         self * (1.0 - weight) + other * weight
     }
 
-    /// Largest absolute difference over the channels.
+    /// Largest absolute difference over the channels; NaN if one is, so that no bound on it holds.
     pub fn max_abs_difference(self, other: Self) -> f64 {
         (self - other).map(f64::abs).max_channel()
     }
@@ -139,5 +141,22 @@ impl From<Rgb> for nalgebra::Vector3<f64> {
 impl From<nalgebra::Vector3<f64>> for Rgb {
     fn from(v: nalgebra::Vector3<f64>) -> Self {
         Self(v.into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_channel_that_is_no_number_is_near_nothing() {
+        for channel in 0..3 {
+            let mut broken = Rgb::WHITE;
+            broken.0[channel] = f64::NAN;
+            assert!(broken.max_channel().is_nan() && broken.min_channel().is_nan());
+            assert!(!(broken.max_abs_difference(Rgb::WHITE) < f64::INFINITY));
+        }
+        assert!(Rgb::splat(f64::NAN).max_abs_difference(Rgb::BLACK).is_nan());
+        assert_eq!(Rgb([0.5, -3.0, 1.0]).max_abs_difference(Rgb::WHITE), 4.0);
     }
 }

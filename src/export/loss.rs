@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::number::number;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{FresnelModel, whole_degrees};
+use crate::number::larger;
 
 /// Rounding of a 3×3 conversion is no loss worth a word.
 const CLIP_TOLERANCE: f64 = 1e-9;
@@ -73,8 +74,8 @@ impl Difference {
         whole_degrees().fold(Self::default(), |worst, cos_theta| {
             let (wanted, shown) = (wanted.reflectance(cos_theta), shown.reflectance(cos_theta));
             Self {
-                max_delta_f: worst.max_delta_f.max(wanted.max_abs_difference(shown)),
-                max_delta_e: worst.max_delta_e.max(delta_e_rgb(wanted, shown, space)),
+                max_delta_f: larger(worst.max_delta_f, wanted.max_abs_difference(shown)),
+                max_delta_e: larger(worst.max_delta_e, delta_e_rgb(wanted, shown, space)),
             }
         })
     }

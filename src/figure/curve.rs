@@ -3,6 +3,7 @@
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{CosTheta, FresnelModel};
 use crate::metal::Metal;
+use crate::number::larger;
 
 /// Curves over 0–90° in three channels, their colours, and how far each is from the truth.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +72,7 @@ impl DeltaE {
     fn new(values: Vec<f64>) -> Self {
         let whole_degrees = values.iter().step_by(STEPS_PER_DEG);
         let mean = whole_degrees.clone().sum::<f64>() / whole_degrees.len().max(1) as f64;
-        let max = values.iter().copied().fold(0.0, f64::max);
+        let max = values.iter().copied().fold(0.0, larger);
         Self { values, mean, max }
     }
 }
@@ -83,18 +84,22 @@ pub fn curve_figure(truth: Option<&Metal>, models: &[(&str, FresnelModel)], spac
     let names: Vec<&str> = models.iter().map(|model| model.label.as_str()).collect();
     CurveFigure {
         title: truth.map_or_else(|| names.join(", "), |metal| metal.name.clone()),
-        subtitle: subtitle(truth, space),
+        subtitle: subtitle(truth, !models.is_empty(), space),
         space,
         truth: truth.map(|metal| CurveSeries::new("Truth", |c| metal.reflectance(c, space))),
         models,
     }
 }
 
-fn subtitle(truth: Option<&Metal>, space: RgbSpace) -> String {
+/// The space, where n and k come from, and how curves are compared if any are.
+fn subtitle(truth: Option<&Metal>, has_models: bool, space: RgbSpace) -> String {
     let source = truth.map(|metal| metal.provenance.citation()).filter(|citation| !citation.is_empty());
     let measured = source.map_or_else(String::new, |citation| format!(" · n, k: {citation}"));
-    let convention =
-        if truth.is_some() { " · ΔE2000 relative to the white, unclamped, mean over 0–90°" } else { "" };
+    let convention = if truth.is_some() && has_models {
+        " · ΔE2000 relative to the white, unclamped, mean over 0–90°"
+    } else {
+        ""
+    };
     format!("{}{measured}{convention}", space.label())
 }
 
@@ -110,6 +115,18 @@ mod tests {
         let figure = curve_figure(Some(gold), &[("Hoffman", hoffman)], space);
         let delta_e = figure.models[0].delta_e(figure.truth.as_ref().unwrap(), space);
         assert!(delta_e.values[0] < 1e-9 && delta_e.values[360] < 1e-6 && delta_e.max > delta_e.mean);
+        assert!(figure.subtitle.contains("ΔE2000"));
         assert!(figure.subtitle.contains("ACEScg") && figure.subtitle.contains("2012"), "{}", figure.subtitle);
+    }
+
+    #[test]
+    fn what_is_not_compared_needs_no_convention() {
+        let gold = metal_by_name("gold").unwrap();
+        let schlick = [("Schlick", FresnelModel::Schlick { r: Rgb::WHITE })];
+        let pictures: [(Option<&Metal>, &[(&str, FresnelModel)]); 2] = [(Some(gold), &[]), (None, &schlick)];
+        for (truth, models) in pictures {
+            let subtitle = curve_figure(truth, models, RgbSpace::AcesCg).subtitle;
+            assert!(subtitle.starts_with("ACEScg") && !subtitle.contains("ΔE"), "{subtitle}");
+        }
     }
 }

@@ -10,6 +10,7 @@ use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{
     CosTheta, FresnelModel, ModelKind, Nk, a_from_r_h, nk_from_r_g, reachable_h, t_from_r_h, whole_degrees,
 };
+use crate::number::larger;
 
 /// Parameters of another model for the same material, and how far its curve is from the original.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -137,7 +138,8 @@ impl Original<'_> {
     fn distance(&self, model: &FresnelModel, space: RgbSpace) -> (f64, f64) {
         whole_degrees().zip(&self.curve).fold((0.0_f64, 0.0_f64), |(difference, delta_e), (cos_theta, original)| {
             let new = model.reflectance(cos_theta);
-            (difference.max(new.max_abs_difference(*original)), delta_e.max(delta_e_rgb(new, *original, space)))
+            let difference = larger(difference, new.max_abs_difference(*original));
+            (difference, larger(delta_e, delta_e_rgb(new, *original, space)))
         })
     }
 
@@ -176,7 +178,7 @@ mod tests {
     fn back_and_forth(model: FresnelModel, through: ModelKind) -> f64 {
         let there = convert(&model, through, SPACE).unwrap();
         let back = convert(&there.model, model.kind(), SPACE).unwrap();
-        whole_degrees().map(|c| back.model.reflectance(c).max_abs_difference(model.reflectance(c))).fold(0.0, f64::max)
+        whole_degrees().map(|c| back.model.reflectance(c).max_abs_difference(model.reflectance(c))).fold(0.0, larger)
     }
 
     /// Root of the sum of squared differences of one channel over the whole degrees.
@@ -248,5 +250,19 @@ mod tests {
     fn refuses_what_is_no_material() {
         let nothing = FresnelModel::Gulbrandsen { r: Rgb([1.2, 0.5, 0.5]), g: Rgb::splat(0.5) };
         assert!(convert(&nothing, ModelKind::Hoffman, SPACE).unwrap_err().to_string().contains("no material"));
+    }
+
+    /// r rounds to 1 in the first three; the fourth is near air, the last an alkali metal's.
+    #[test]
+    fn an_extreme_index_is_converted_exactly_or_with_a_loss() {
+        for (n, k) in [(1e-17, 3.0), (1.0, 1e9), (1e200, 1e200), (1.0, 1e-9), (0.0, 0.0), (0.327, 0.608)] {
+            let from = FresnelModel::Conductor { n: Rgb::splat(n), k: Rgb::splat(k) };
+            for to in ModelKind::ALL {
+                let Conversion { model, losses, max_difference, max_delta_e } = convert(&from, to, SPACE).unwrap();
+                assert!(max_difference.is_finite() && max_delta_e.is_finite(), "{n} {k} {model:?}");
+                assert!(max_difference <= ROUNDING || !losses.is_empty(), "{n} {k} {model:?}");
+                assert!(whole_degrees().all(|c| model.reflectance(c).is_finite()), "{n} {k} {model:?}");
+            }
+        }
     }
 }

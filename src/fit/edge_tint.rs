@@ -2,6 +2,7 @@
 
 use super::search::minimum_within;
 use crate::fresnel::{CosTheta, gulbrandsen};
+use crate::number::larger;
 
 /// What "nearest" means when g is fitted to a channel's curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,7 +21,7 @@ pub fn g_nearest(samples: &[(CosTheta, f64)], r: f64, nearness: Nearness) -> f64
     let difference = |g: f64, &(cos_theta, f): &(CosTheta, f64)| gulbrandsen(r, g, cos_theta) - f;
     minimum_within(0.0..=1.0, 8, |g| match nearness {
         Nearness::LeastSquares => samples.iter().map(|sample| difference(g, sample).powi(2)).sum(),
-        Nearness::MinMax => samples.iter().map(|sample| difference(g, sample).abs()).fold(0.0, f64::max),
+        Nearness::MinMax => samples.iter().map(|sample| difference(g, sample).abs()).fold(0.0, larger),
     })
 }
 

@@ -118,6 +118,7 @@ mod tests {
 
     use super::*;
     use crate::fresnel::whole_degrees;
+    use crate::number::larger;
 
     proptest! {
         /// Central differences converge to the slope as the square of the step.
@@ -137,7 +138,7 @@ mod tests {
             let samples: Vec<_> = whole_degrees().map(|c| (c, conductor(n, k, c))).collect();
             let start = Nk { n: n * 1.3, k: k * 0.8 };
             let back = nk_by_least_squares(&samples, start);
-            let worst = samples.iter().map(|&(c, f)| (conductor(back.n, back.k, c) - f).abs()).fold(0.0, f64::max);
+            let worst = samples.iter().map(|&(c, f)| (conductor(back.n, back.k, c) - f).abs()).fold(0.0, larger);
             prop_assert!(worst < 1e-7, "{back:?} {worst}");
         }
     }

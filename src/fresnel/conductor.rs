@@ -4,9 +4,11 @@ use super::CosTheta;
 
 /// Unpolarised reflectance for the complex index n + i k, air outside (Born & Wolf 1999, section 14.2).
 ///
-/// n ≥ 0 and k ≥ 0 with n + k > 0. For k = 0 it is the dielectric, including total reflection for n < 1.
+/// A number of `[0, 1]` (to rounding) for every finite n ≥ 0 and k ≥ 0. For k = 0 it is the dielectric, including
+/// total reflection for n < 1; for n = k = 0, which is no material, it is 1, the limit of a vanishing index.
 /// Written without the cancellations of the usual form: the small part of the root comes from `n k`
 /// instead of a difference of near-equals, and both polarisations are quotients of sums of squares.
+/// An index whose fourth power would overflow is counted in units of its larger part.
 pub fn conductor(n: f64, k: f64, cos_theta: CosTheta) -> f64 {
     let c = cos_theta.get();
     if c == 0.0 {
@@ -14,11 +16,14 @@ pub fn conductor(n: f64, k: f64, cos_theta: CosTheta) -> f64 {
     }
     let c2 = c * c;
     let sin2 = 1.0 - c2;
-    let Root { a, b } = Root::of(n * n - k * k - sin2, n * k);
-    let s = squared(a - c, b) / squared(a + c, b);
+    let unit = unit_of(n, k);
+    let (n, k) = (n * unit, k * unit);
+    let Root { a, b } = Root::of(n * n - k * k - sin2 * unit * unit, n * k);
+    let s = quotient((a - c * unit, b), (a + c * unit, b));
     // ε c with ε = (a + i b)² + sin²θ; r_p = (ε c − (a + i b)) / (ε c + (a + i b)).
     let (re, im) = (((n - k) * (n + k)) * c, 2.0 * n * k * c);
-    let p = squared(re - a, im - b) / squared(re + a, im + b);
+    let (a, b) = (a * unit, b * unit);
+    let p = quotient((re - a, im - b), (re + a, im + b));
     0.5 * (s + p)
 }
 
@@ -38,13 +43,34 @@ impl Root {
     }
 }
 
-fn squared(re: f64, im: f64) -> f64 {
+/// n and k beyond which they are scaled: their fourth power is still a number, with room.
+const LARGEST_UNSCALED: f64 = 1e60;
+
+/// What n and k are multiplied with: 1 where their powers are numbers, else their larger part becomes 1.
+fn unit_of(n: f64, k: f64) -> f64 {
+    let larger = n.max(k);
+    if larger > LARGEST_UNSCALED { 1.0 / larger } else { 1.0 }
+}
+
+/// |x|² / |y|² of complex x and y with |x| ≤ |y|; 1 where both vanish, as they do only together with the index.
+fn quotient(x: (f64, f64), y: (f64, f64)) -> f64 {
+    let below = squared(y);
+    if below >= f64::MIN_POSITIVE || below.is_nan() {
+        return squared(x) / below;
+    }
+    // The squares are too small for numbers, not the parts themselves.
+    let scale = y.0.abs().max(y.1.abs());
+    if scale == 0.0 { 1.0 } else { squared((x.0 / scale, x.1 / scale)) / squared((y.0 / scale, y.1 / scale)) }
+}
+
+fn squared((re, im): (f64, f64)) -> f64 {
     re * re + im * im
 }
 
-/// r at normal incidence, ((n − 1)² + k²) / ((n + 1)² + k²).
+/// r at normal incidence, ((n − 1)² + k²) / ((n + 1)² + k²), for every finite n ≥ 0 and k ≥ 0.
 pub fn normal_reflectance(n: f64, k: f64) -> f64 {
-    squared(n - 1.0, k) / squared(n + 1.0, k)
+    let unit = unit_of(n, k);
+    quotient(((n - 1.0) * unit, k * unit), ((n + 1.0) * unit, k * unit))
 }
 
 #[cfg(test)]
@@ -87,10 +113,45 @@ mod tests {
             prop_assert!((0.0..=1.0 + 1e-14).contains(&f), "{f}");
         }
 
+        /// Magnitudes from the smallest to the largest number there is, and 0.
+        #[test]
+        fn is_total(n in magnitude(), k in magnitude(), c in magnitude()) {
+            let f = conductor(n, k, CosTheta::new(c.min(1.0)));
+            prop_assert!((0.0..=1.0 + 1e-14).contains(&f), "{f}");
+            prop_assert!((0.0..=1.0).contains(&normal_reflectance(n, k)));
+        }
+
+        /// Scaling is no seam: the scaled and the unscaled form agree where both have numbers.
+        #[test]
+        fn does_not_depend_on_the_unit(part in 0.0..1.0, c in 0.0..10.0) {
+            for (n, k) in [(part, 1.0), (1.0, part)] {
+                let [below, above] = [1.0 - 1e-9, 1.0 + 1e-9].map(|factor| {
+                    let size = factor * LARGEST_UNSCALED;
+                    conductor(n * size, k * size, CosTheta::new(c / LARGEST_UNSCALED))
+                });
+                prop_assert!((below - above).abs() < 1e-8, "{below} {above}");
+            }
+        }
+
         #[test]
         fn faces_at_the_normal_reflectance(n in 0.01..10.0, k in 0.0..20.0) {
             prop_assert!((conductor(n, k, CosTheta::FACING) - normal_reflectance(n, k)).abs() < 1e-13);
         }
+    }
+
+    fn magnitude() -> impl Strategy<Value = f64> {
+        prop_oneof![Just(0.0), Just(1.0), Just(f64::MAX), (-320.0..308.2).prop_map(|exponent| 10f64.powf(exponent))]
+    }
+
+    #[test]
+    fn no_index_at_all_reflects_everything() {
+        for c in [0.0, 1e-200, 0.3, 1.0] {
+            assert_eq!(conductor(0.0, 0.0, CosTheta::new(c)), 1.0, "{c}");
+        }
+        assert_eq!(conductor(1e200, 1e200, CosTheta::new(0.5)), 1.0);
+        assert!(
+            conductor(f64::NAN, 1.0, CosTheta::FACING).is_nan() && conductor(1.0, f64::NAN, CosTheta::MAX).is_nan()
+        );
     }
 
     #[test]

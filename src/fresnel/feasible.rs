@@ -118,7 +118,7 @@ mod tests {
         }
     }
 
-    /// Derived independently for the project's facts, to five digits.
+    /// The h at which the smallest F over the angles is 0, computed independently, to five digits.
     #[test]
     fn lower_boundary_at_round_r() {
         let printed = [
@@ -135,7 +135,7 @@ mod tests {
         }
     }
 
-    /// The band of `photo.md`, computed by another program over n and k instead of g, to two digits.
+    /// Computed independently by a search over n and k instead of g, to two digits.
     #[test]
     fn band_of_real_indices_at_round_r() {
         let printed = [
@@ -153,7 +153,7 @@ mod tests {
         }
     }
 
-    /// 83 % of the unit square is feasible, by the same facts.
+    /// 83 % of the unit square is feasible: the area between the boundaries, computed independently.
     #[test]
     fn most_of_the_square_is_feasible() {
         let n = 400;

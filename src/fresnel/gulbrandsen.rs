@@ -31,19 +31,18 @@ pub fn nk_from_r_g(r: f64, g: f64) -> Option<Nk> {
 
 /// r and g of a complex index: g = (n_max − n)/(n_max − n_min) (Gulbrandsen 2014, eqs. 5 and 7).
 ///
-/// n ≥ 0, k ≥ 0. g is not clamped: it leaves `[0, 1]` by rounding at k = 0, and exceeds 1 for |n + i k| < 1, as in
-/// the alkali metals, because (1 − r)/(1 + r) is not the smallest n there is. r = 0 (n = 1, k = 0) has g = 0;
-/// n = 0 has r = 1 and, as the limit of n_min, g = 1.
+/// Finite n ≥ 0, k ≥ 0. g is not clamped: it leaves `[0, 1]` by rounding at k = 0, and exceeds 1 for |n + i k| < 1, as
+/// in the alkali metals, because (1 − r)/(1 + r) is not the smallest n there is. r = 0 (n = 1, k = 0) has g = 0.
+/// With d = |n + 1 + i k|, 1 − r = 4 n/d², so n/n_max = m² with m = 2 n/((1 + √r) d), and
+/// n_min/n_max = 4 m²/((1 + r) d²): g = (1 − m²)/(1 − n_min/n_max) is a number where r rounds to 1 as well, where
+/// n_max has none. There (r, g) no longer tells n and k, and stands for a mirror; n = 0 has g = 1.
 pub fn r_g_from_nk(Nk { n, k }: Nk) -> (f64, f64) {
     let r = normal_reflectance(n, k);
-    if n == 0.0 {
-        return (r, 1.0);
-    }
-    let s = r.sqrt();
-    let n_min = (1.0 - r) / (1.0 + r);
-    let n_max = (1.0 + s) / (1.0 - s);
-    let range = n_max - n_min;
-    (r, if range > 0.0 { (n_max - n) / range } else { 0.0 })
+    // Halves, so that d is a number for the largest n and k too.
+    let half_d = (0.5 * n + 0.5).hypot(0.5 * k);
+    let m = n / half_d / (1.0 + r.sqrt());
+    let range = 1.0 - (m / half_d).powi(2) / (1.0 + r);
+    (r, if range > 0.0 { (1.0 - m) * (1.0 + m) / range } else { 0.0 })
 }
 
 /// The conductor that (r, g) stands for; NaN where it stands for none.
@@ -71,6 +70,12 @@ mod tests {
         }
 
         #[test]
+        fn every_index_has_a_g(n in magnitude(), k in magnitude()) {
+            let (r, g) = r_g_from_nk(Nk { n, k });
+            prop_assert!((0.0..=1.0).contains(&r) && g.is_finite(), "{r} {g}");
+        }
+
+        #[test]
         fn faces_at_r(r in 0.0..0.9999, g in 0.0..=1.0) {
             prop_assert!((gulbrandsen(r, g, CosTheta::FACING) - r).abs() < 1e-12);
         }
@@ -81,7 +86,7 @@ mod tests {
         }
     }
 
-    /// Gold as MaterialX ships it, with r and g as computed for `facts` by an independent program.
+    /// Gold as MaterialX ships it; r and g by Gulbrandsen's eqs. 5 and 7, computed independently.
     #[test]
     fn materialx_gold() {
         let gold = [(0.183, 3.424, 0.9442, 0.9978), (0.421, 2.346, 0.7762, 0.9812), (1.373, 1.770, 0.3733, 0.7513)];
@@ -97,6 +102,19 @@ mod tests {
         let (r, g) = r_g_from_nk(Nk { n: 0.327, k: 0.608 });
         assert!(g > 1.0 && g < 1.2, "{g}");
         assert_eq!(nk_from_r_g(r, g), None);
+    }
+
+    fn magnitude() -> impl Strategy<Value = f64> {
+        prop_oneof![Just(0.0), Just(1.0), Just(f64::MAX), (-320.0..308.2).prop_map(|exponent| 10f64.powf(exponent))]
+    }
+
+    /// The limits of g = 1 − n²/((n + 1)² + k²) where r rounds to 1.
+    #[test]
+    fn a_mirror_to_rounding_has_a_g() {
+        for (n, k, g_want) in [(1e-17, 3.0, 1.0), (1.0, 1e9, 1.0), (1e18, 1e18, 0.5), (1e300, 3e300, 0.9)] {
+            let (r, g) = r_g_from_nk(Nk { n, k });
+            assert!(r == 1.0 && (g - g_want).abs() < 1e-12, "{n} {k}: {r} {g}");
+        }
     }
 
     #[test]

@@ -33,7 +33,7 @@ pub fn h_of_schlick(r: f64) -> f64 {
 
 /// The weights of r, h and white at an angle: F = A r + B h + C, with A + B + C = 1.
 ///
-/// The model is linear in both colours (facts derived from paper eqs. 2 and 4), which is
+/// The model is linear in both colours (by eqs. 2 and 4 of the paper), which is
 /// why it converts between spaces, blends and fits exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {

@@ -194,7 +194,8 @@ mod tests {
     /// Paper section 4, the other half: converting (r, g) as colours changes the appearance.
     #[test]
     fn conversion_does_not_commute_with_r_g() {
-        let (r, g) = (Rgb([0.9, 0.7, 0.4]), Rgb([0.99, 0.95, 0.75]));
+        // Both r lie in 0–1 in both spaces, so that both are a material.
+        let (r, g) = (Rgb([0.8, 0.65, 0.4]), Rgb([0.9, 0.6, 0.3]));
         let m = RgbSpace::AcesCg.matrix_to(RgbSpace::LinRec709);
         let appearance = transformed(m, FresnelModel::Gulbrandsen { r, g }.reflectance(CosTheta::MAX));
         let parameters = FresnelModel::Gulbrandsen { r: transformed(m, r), g: transformed(m, g).clipped() };

@@ -22,6 +22,8 @@ pub enum NkTableError {
     NotGrowing { row: usize, previous_nm: f64, wavelength_nm: f64 },
     #[error("row {row}: {name} is {value}; it must be a finite number of at least 0")]
     OutOfRange { row: usize, name: &'static str, value: f64 },
+    #[error("row {row}: n and k are both 0, which no material has")]
+    NoIndex { row: usize },
     #[error(
         "it covers {first_nm}–{last_nm} nm, which leaves out the middle of the visible (450–650 nm); \
              are the wavelengths in the unit the header names?"
@@ -175,6 +177,7 @@ mod tests {
         assert!(matches!(NkTable::new([(500.0, 1.0, 1.0), (500.0, 1.0, 1.0)]), Err(E::NotGrowing { row: 2, .. })));
         assert!(matches!(NkTable::new([(500.0, -1.0, 1.0)]), Err(E::OutOfRange { row: 1, name: "n", .. })));
         assert!(matches!(NkTable::new([(500.0, 1.0, f64::NAN)]), Err(E::OutOfRange { name: "k", .. })));
+        assert_eq!(NkTable::new([(500.0, 0.0, 1.0), (600.0, 0.0, 0.0)]), Err(E::NoIndex { row: 2 }));
         assert!(matches!(flat(0.4, 0.7, 0.05), Err(E::MissesVisible { .. })));
         assert!(matches!(flat(400.0, 700.0, 150.0), Err(E::Gap { .. })));
     }

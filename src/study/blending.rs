@@ -303,6 +303,7 @@ mod tests {
     use super::*;
     use crate::fresnel::whole_degrees;
     use crate::metal::metal_by_name;
+    use crate::number::larger;
     use crate::study::{Pair, no_progress};
 
     fn metal(name: &str) -> Contestants {
@@ -331,7 +332,7 @@ mod tests {
             for error in [result.own[0], result.own[BLEND_STEPS]] {
                 assert!(error.max_delta_e < 1e-9, "{:?}", result.parameters);
             }
-            let largest = result.own.iter().map(|error| error.max_delta_e).fold(0.0, f64::max);
+            let largest = result.own.iter().map(|error| error.max_delta_e).fold(0.0, larger);
             assert_eq!(result.worst.delta_e, largest);
         }
         assert_eq!(blend.rows().len(), 4 * (BLEND_STEPS + 1));

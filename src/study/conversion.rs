@@ -12,6 +12,7 @@ use super::{Contestants, Distribution, StudyError, Subject};
 use crate::color::{Lab, Rgb, RgbSpace, delta_e_2000};
 use crate::fit::{CurveError, FitError, Method};
 use crate::metal::Metal;
+use crate::number::largest;
 
 /// What is converted, and how n, k and g come about.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,7 +112,7 @@ impl ConvertedParameters {
             converted,
             error: CurveError::over_degrees(delta_e.iter().copied()),
             truth_error: CurveError::over_degrees(delta_e_of_curves(&curve, truth, options.to)),
-            there_and_back_delta_e: largest(&delta_e_of_curves(&returned, &before, options.from)),
+            there_and_back_delta_e: largest(delta_e_of_curves(&returned, &before, options.from)),
             left_domain: converted.outside_domain(),
             appearance,
             curve,
@@ -129,11 +130,6 @@ impl ConvertedParameters {
 pub(super) fn delta_e_of_curves(x: &[Rgb], y: &[Rgb], space: RgbSpace) -> Vec<f64> {
     let lab = |rgb: &Rgb| Lab::from_rgb(*rgb, space);
     x.iter().zip(y).map(|(x, y)| delta_e_2000(lab(x), lab(y))).collect()
-}
-
-/// The largest value; NaN where one is NaN, so that nothing is hidden.
-pub(super) fn largest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(0.0, |most, value| if value > most || value.is_nan() { value } else { most })
 }
 
 /// One angle of one description. The field names are stable.

@@ -4,10 +4,11 @@ use half::f16;
 use serde::{Deserialize, Serialize};
 
 use super::Contestants;
-use super::conversion::{delta_e_of_curves, largest};
+use super::conversion::delta_e_of_curves;
 use super::parameters::{Pair, Parameters};
 use crate::color::{Rgb, RgbSpace, delta_e_rgb, srgb_decode, srgb_encode};
 use crate::fresnel::CosTheta;
+use crate::number::{larger, largest};
 
 /// How a number is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -222,7 +223,7 @@ fn scale(parameters: Parameters) -> f64 {
 
 fn quantised(material: &Contestants, towards: &str, [pair, other]: [Pair; 2], way: Way) -> Quantised {
     let space = material.space;
-    let worst = |stored: Pair| largest(&delta_e_of_curves(&stored.curve(), &pair.curve(), space));
+    let worst = |stored: Pair| largest(delta_e_of_curves(&stored.curve(), &pair.curve(), space));
     let gradient = gradient(pair, other, |blended| way.edge_stored(blended));
     let bands = bands(&gradient);
     let steps: Vec<f64> = bands.windows(2).map(|two| delta_e_rgb(two[0], two[1], space)).collect();
@@ -239,8 +240,8 @@ fn quantised(material: &Contestants, towards: &str, [pair, other]: [Pair; 2], wa
         all_delta_e: worst(way.all_stored(pair)),
         clipped: way.clipped(pair),
         bands: bands.len(),
-        band_delta_e: largest(&steps),
-        gradient_delta_e: largest(&delta_e_of_curves(&gradient, &exact, space)),
+        band_delta_e: steps.iter().copied().fold(0.0, larger),
+        gradient_delta_e: largest(delta_e_of_curves(&gradient, &exact, space)),
     };
     Quantised { row, gradient }
 }

@@ -1,1 +1,0 @@
-//! Models over slices of f32, for speed.

@@ -1,1 +1,0 @@
-//! From the angles a scene shows to the cheapest model within a tolerance.
