@@ -9,7 +9,7 @@ require_packages gcc libc6-dev
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     # shellcheck disable=SC2086
     require_packages $WINDOW_PACKAGES
-    exec cargo run -- assets/samples/gold_tent.png
+    exec cargo run -- --sample gold_tent
 fi
 echo "There is no display (DISPLAY and WAYLAND_DISPLAY are unset), so the command line does the job and no window opens." >&2
 exec cargo run --no-default-features --features cli -- samples --match gold_tent -o out

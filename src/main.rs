@@ -23,7 +23,7 @@ fn main() -> ExitCode {
 #[cfg(feature = "gui")]
 fn window(arguments: Arguments) -> ExitCode {
     let renderer = arguments.renderer.parse().expect("the parser of arguments lets nothing else through");
-    match edgewise::gui::run(edgewise::gui::Options { path: arguments.path, renderer }) {
+    match edgewise::gui::run(edgewise::gui::Options { path: arguments.path, sample: arguments.sample, renderer }) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => cli::fail(&error.into()),
     }

@@ -43,6 +43,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::sample::{Sample, sample as built_in_sample};
 use output::Output;
 
 /// Author how metals reflect: r facing the surface, h at 81.8°.
@@ -51,6 +52,9 @@ use output::Output;
 pub struct Arguments {
     /// A photograph or a preset to open in the window
     pub path: Option<PathBuf>,
+    /// Open a photograph that ships with the program instead; `edgewise samples` lists them
+    #[arg(long, value_name = "ID", value_parser = sample, conflicts_with = "path")]
+    pub sample: Option<&'static Sample>,
     /// What draws the window; auto goes by what the machine has
     #[arg(long, default_value = "auto", value_parser = ["auto", "wgpu", "glow"])]
     pub renderer: String,
@@ -102,6 +106,11 @@ impl Command {
             Self::Study(command) => command.run(),
         }
     }
+}
+
+/// The built-in photograph of an identifier.
+fn sample(id: &str) -> Result<&'static Sample, String> {
+    built_in_sample(id).ok_or_else(|| format!("there is no sample “{id}”; `edgewise samples` lists them"))
 }
 
 /// Parses arguments. `Err` is the exit code when nothing is left to do: help was shown or the usage was wrong.

@@ -16,6 +16,7 @@ use super::{panels, theme};
 use crate::color::Rgb;
 use crate::metal::{Metal, metal_by_name};
 use crate::preset::Preset;
+use crate::sample::Sample;
 
 /// The window.
 pub struct App {
@@ -59,6 +60,11 @@ impl App {
             app.load(ctx, path);
         }
         app
+    }
+
+    /// Opens a photograph that ships with the program, with its marks.
+    pub fn open_sample(&mut self, ctx: &Context, sample: &'static Sample) {
+        self.read(ctx, Source::Sample(sample));
     }
 
     /// What the window shows.

@@ -11,12 +11,15 @@ use thiserror::Error;
 use super::app::App;
 use super::renderer::Renderer;
 use super::theme;
+use crate::sample::Sample;
 
 /// How the window is opened.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// A preset or a photograph to open.
     pub path: Option<PathBuf>,
+    /// A photograph that ships with the program, to open instead.
+    pub sample: Option<&'static Sample>,
     /// What draws the window.
     pub renderer: Renderer,
 }
@@ -61,10 +64,14 @@ fn attempt(options: &Options, renderer: eframe::Renderer) -> Result<(), Failure>
     let has_started = Arc::new(AtomicBool::new(false));
     let outcome = catch_quietly(&has_started, || {
         let started = has_started.clone();
-        let path = options.path.clone();
+        let (path, sample) = (options.path.clone(), options.sample);
         let create: eframe::AppCreator = Box::new(move |cc| {
             started.store(true, Ordering::Relaxed);
-            Ok(Box::new(App::new(&cc.egui_ctx, path)))
+            let mut app = App::new(&cc.egui_ctx, path);
+            if let Some(sample) = sample {
+                app.open_sample(&cc.egui_ctx, sample);
+            }
+            Ok(Box::new(app))
         });
         eframe::run_native("Edgewise", native_options(renderer), create)
     });
