@@ -131,6 +131,77 @@ fn what_r_and_h_cannot_say_is_refused() {
     assert!(import(ImportFormat::MaterialX, b"<a/>", None).unwrap_err().to_string().contains("materialx"));
 }
 
+#[test]
+fn layers_and_directions_are_refused_or_noted() {
+    let node = |tag: &str, metal: &str, name: &str, value: &str| {
+        let input = |name: &str, value: &str| format!("<input name=\"{name}\" value=\"{value}\"/>");
+        read_materialx(&format!("<{tag} name=\"m\">{}{}</{tag}>", input(metal, "1"), input(name, value)))
+    };
+    let (open_pbr, standard) = (("open_pbr_surface", "base_metalness"), ("standard_surface", "metalness"));
+    let (schlick, conductor) = (("generalized_schlick_bsdf", "weight"), ("conductor_bsdf", "weight"));
+    for ((tag, metal), name, off, on) in [
+        (open_pbr, "specular_roughness_anisotropy", "0.0", "0.5"),
+        (open_pbr, "coat_weight", "0", "1"),
+        (open_pbr, "fuzz_weight", "0", "0.1"),
+        (open_pbr, "thin_film_weight", "0", "1"),
+        (open_pbr, "emission_luminance", "0", "100"),
+        (open_pbr, "geometry_opacity", "1", "0.5"),
+        (standard, "specular_anisotropy", "0", "0.5"),
+        (standard, "coat", "0", "1"),
+        (standard, "thin_film_thickness", "0", "500"),
+        (standard, "emission", "0", "1"),
+        (standard, "opacity", "1, 1, 1", "1, 1, 0.5"),
+        (schlick, "thinfilm_thickness", "0", "500"),
+        (schlick, "scatter_mode", "R", "RT"),
+        (conductor, "retroreflective", "false", "true"),
+        (conductor, "extinction", "3, 2, 1", "3, -2, 1"),
+    ] {
+        assert!(node(tag, metal, name, off).is_ok(), "{tag} {name}");
+        node(tag, metal, name, on).expect_err(name);
+    }
+    for ((tag, metal), name) in [(open_pbr, "transmission_weight"), (standard, "sheen")] {
+        let notes_with = |value| node(tag, metal, name, value).unwrap().notes;
+        assert!(!notes_with("0").iter().any(|note| note.contains(name)));
+        assert!(notes_with("0.5").iter().any(|note| note.contains(name)));
+    }
+}
+
+fn read_gltf(material: &str) -> Result<Imported, String> {
+    let text = format!("{{\"asset\":{{\"version\":\"2.0\"}},\"materials\":[{{{material}}}]}}");
+    import(ImportFormat::Gltf, text.as_bytes(), None).map_err(|error| error.to_string())
+}
+
+#[test]
+fn gltf_layers_are_refused_or_noted() {
+    let edge = r#""extensions":{"EXT_materials_specular_edge_color":{"specularEdgeColorEnabled":true}}"#;
+    let extension = |name: &str, fields: &str| read_gltf(&format!("\"extensions\":{{\"{name}\":{{{fields}}}}}"));
+    for (name, field, off, on) in [
+        ("KHR_materials_anisotropy", "anisotropyStrength", "0", "0.5"),
+        ("KHR_materials_clearcoat", "clearcoatFactor", "0.0", "1"),
+        ("KHR_materials_sheen", "sheenColorFactor", "[0,0,0]", "[0,0.1,0]"),
+        ("KHR_materials_iridescence", "iridescenceFactor", "0", "1"),
+    ] {
+        assert!(extension(name, &format!("\"{field}\":{off}")).unwrap().notes.is_empty(), "{name}");
+        assert!(extension(name, &format!("\"{field}\":{on}")).unwrap_err().contains(field));
+    }
+    let specular = |fields: &str| extension("KHR_materials_specular", &format!("{fields},{edge}"));
+    assert!(specular("\"specularFactor\":1.0").unwrap().notes.is_empty());
+    assert!(specular("\"specularFactor\":0.5").unwrap_err().contains("specularFactor"));
+    assert!(specular("\"specularTexture\":{\"index\":0}").unwrap_err().contains("texture"));
+    let twice = "\"specularColorFactor\":[1,1,1],\"specularColorFactor\":[0,0,0]";
+    assert!(specular(twice).unwrap_err().contains("twice"));
+    let dimmed = extension("KHR_materials_specular", "\"specularFactor\":0.5").unwrap();
+    assert!(dimmed.notes[0].contains("KHR_materials_specular"));
+    assert!(
+        extension("KHR_materials_transmission", "\"transmissionFactor\":1").unwrap().notes[0].contains("transmission")
+    );
+    assert!(extension("VENDOR_flakes", "\"size\":1").unwrap().notes[0].contains("VENDOR_flakes"));
+    let base = r#""pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}"#;
+    assert!(read_gltf(&format!("{base},\"alphaMode\":\"BLEND\"")).unwrap_err().contains("alpha of 0.5"));
+    assert!(read_gltf(base).is_ok(), "an opaque material ignores its alpha");
+    assert!(read_gltf("\"emissiveFactor\":[1,0,0]").unwrap_err().contains("light"));
+}
+
 /// One sentence, no panic, and time in proportion to the size.
 #[test]
 fn hostile_files_are_refused() {

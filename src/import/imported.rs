@@ -35,6 +35,7 @@ impl Imported {
         if self.presets.len() == MOST_METALS {
             return Err(ImportError::TooMany(MOST_METALS));
         }
+        check_index(&name, &model)?;
         let conversion = convert(&model, ModelKind::Hoffman, space).map_err(ImportError::no_material(&name))?;
         if !conversion.is_exact() {
             self.notes.push(format!(
@@ -59,6 +60,16 @@ impl Imported {
             self.notes.push(format!("{what} names no colour space; {space} was assumed"));
             space
         })
+    }
+}
+
+/// A negative n or k reflects more than the light it gets.
+fn check_index(name: &str, model: &FresnelModel) -> Result<(), ImportError> {
+    match model {
+        FresnelModel::Conductor { n, k } if n.min_channel() < 0.0 || k.min_channel() < 0.0 => {
+            Err(ImportError::metal(name, "it has a negative n or k, which is no metal"))
+        }
+        _ => Ok(()),
     }
 }
 

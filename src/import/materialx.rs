@@ -48,18 +48,41 @@ fn found(node: Node<'_>, space: Option<RgbSpace>, imported: &mut Imported) -> Re
 
 type Reader = fn(Node<'_>, &mut Imported) -> Result<(FresnelModel, f64), ImportError>;
 
+/// The lobes around OpenPBR's metal; specular_weight dims its edge, and so is on when it is off 1.
+const OPEN_PBR_OFF: [(&str, f64); 7] = [
+    ("specular_weight", 1.0),
+    ("specular_roughness_anisotropy", 0.0),
+    ("coat_weight", 0.0),
+    ("fuzz_weight", 0.0),
+    ("thin_film_weight", 0.0),
+    ("emission_luminance", 0.0),
+    ("geometry_opacity", 1.0),
+];
+
+/// The lobes around Standard Surface's metal.
+const STANDARD_SURFACE_OFF: [(&str, f64); 4] =
+    [("specular_anisotropy", 0.0), ("coat", 0.0), ("thin_film_thickness", 0.0), ("emission", 0.0)];
+
 /// OpenPBR 1.1 with the defaults of MaterialX 1.39: base_weight scales r, specular_weight would scale the edge too.
-fn open_pbr(node: Node<'_>, _: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
+fn open_pbr(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
     node.must_be("base_metalness", 1.0, 0.0)?;
-    node.must_be("specular_weight", 1.0, 1.0)?;
+    node.must_be_off(&OPEN_PBR_OFF)?;
+    imported.notes.extend(node.hidden(&["transmission_weight", "subsurface_weight"]));
     let r = node.colour("base_color", Rgb::splat(0.8))? * node.float("base_weight", 1.0)?;
     let t = node.colour("specular_color", Rgb::WHITE)?;
     Ok((FresnelModel::F82Tint { r, t }, node.float("specular_roughness", 0.3)?))
 }
 
+/// A BSDF that reflects all of its light, mirrored, without an interference film.
+fn plain_reflection(node: Node<'_>) -> Result<(), ImportError> {
+    node.must_be_off(&[("weight", 1.0), ("thinfilm_thickness", 0.0)])?;
+    node.must_say("retroreflective", "false")?;
+    node.must_say("scatter_mode", "R")
+}
+
 /// With a white edge and an exponent of 5 it is F82-tint, which is exact.
 fn generalized_schlick(node: Node<'_>, _: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
-    node.must_be("weight", 1.0, 1.0)?;
+    plain_reflection(node)?;
     let [r0, t, r90] = ["color0", "color82", "color90"].map(|name| node.colour(name, Rgb::WHITE));
     let (r0, t, r90, p) = (r0?, t?, r90?, node.float("exponent", 5.0)?);
     if p <= 0.0 {
@@ -75,6 +98,11 @@ fn generalized_schlick(node: Node<'_>, _: &mut Imported) -> Result<(FresnelModel
 /// Autodesk Standard Surface 1.0.1: (r, g) through artistic_ior.
 fn standard_surface(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
     node.must_be("metalness", 1.0, 0.0)?;
+    node.must_be_off(&STANDARD_SURFACE_OFF)?;
+    if node.colour("opacity", Rgb::WHITE)? != Rgb::WHITE {
+        return Err(node.refused("its opacity is not 1; only an opaque metal can be read".to_owned()));
+    }
+    imported.notes.extend(node.hidden(&["transmission", "subsurface", "sheen"]));
     let r = node.colour("base_color", Rgb::splat(0.8))? * node.float("base", 1.0)?;
     let g = node.colour("specular_color", Rgb::WHITE)? * node.float("specular", 1.0)?;
     Ok((artistic_ior(node, r, g, imported), node.float("specular_roughness", 0.2)?))
@@ -82,7 +110,7 @@ fn standard_surface(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelM
 
 /// n and k as values, or r and g through an artistic_ior node.
 fn conductor(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelModel, f64), ImportError> {
-    node.must_be("weight", 1.0, 1.0)?;
+    plain_reflection(node)?;
     let roughness = node.alpha("roughness", 0.05)?.sqrt();
     if let Some(source) = node.common_source(["ior", "extinction"]).filter(|source| source.tag() == "artistic_ior") {
         let r = source.colour("reflectivity", Rgb([0.944, 0.776, 0.373]))?;
@@ -91,9 +119,6 @@ fn conductor(node: Node<'_>, imported: &mut Imported) -> Result<(FresnelModel, f
     }
     let n = node.colour("ior", Rgb([0.183, 0.421, 1.373]))?;
     let k = node.colour("extinction", Rgb([3.424, 2.346, 1.770]))?;
-    if n.min_channel() < 0.0 || k.min_channel() < 0.0 {
-        return Err(node.refused("a negative ior or extinction is no metal".to_owned()));
-    }
     Ok((FresnelModel::Conductor { n, k }, roughness))
 }
 

@@ -157,6 +157,27 @@ impl<'a> Node<'a> {
         Err(self.refused(format!("{name} is {value}; only {wanted} is a metal that r and h can say")))
     }
 
+    /// Layers and directions beyond r, h and roughness, each with the value that switches it off.
+    pub(super) fn must_be_off(self, inputs: &[(&str, f64)]) -> Result<(), ImportError> {
+        inputs.iter().try_for_each(|&(name, off)| self.must_be(name, off, off))
+    }
+
+    /// A text, or a switch, that must be this or absent.
+    pub(super) fn must_say(self, name: &str, wanted: &str) -> Result<(), ImportError> {
+        match self.value(name)? {
+            Some(value) if value.trim() != wanted => {
+                Err(self.refused(format!("{name} is {}; only {wanted} can be read", numbers::shortened(value))))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Sentences about inputs that are switched on, though a metal lets nothing of them through.
+    pub(super) fn hidden(self, names: &'a [&str]) -> impl Iterator<Item = String> + 'a {
+        let is_on = move |name: &&&str| self.input(name).is_some() && self.float(name, 0.0).ok() != Some(0.0);
+        names.iter().filter(is_on).map(move |name| format!("“{}” has {name}, which no metal shows", self.name()))
+    }
+
     /// An error about this node.
     pub(super) fn refused(self, reason: String) -> ImportError {
         ImportError::metal(self.name(), reason)

@@ -18,12 +18,17 @@ pub(super) fn numbers(text: &str) -> Result<Vec<f64>, ImportError> {
     words.take(64).map(number).collect()
 }
 
-/// Three numbers, or four with an opacity of 1, or `#rrggbb` in sRGB.
-pub(super) fn colour(text: &str) -> Result<Rgb, ImportError> {
-    if text.trim().starts_with('#') {
-        let code = srgb8_from_hex(text).map_err(|_| not_a_colour(text))?;
-        return Ok(linear_from_srgb8(code));
+/// `#rrggbb` of sRGB as linear Rec.709, whatever the space of the numbers around it; `None` for another text.
+pub(super) fn hex_colour(text: &str) -> Result<Option<Rgb>, ImportError> {
+    if !text.trim().starts_with('#') {
+        return Ok(None);
     }
+    let code = srgb8_from_hex(text).map_err(|_| not_a_colour(text))?;
+    Ok(Some(linear_from_srgb8(code)))
+}
+
+/// Three numbers, or four with an opacity of 1.
+pub(super) fn colour(text: &str) -> Result<Rgb, ImportError> {
     match *numbers(text)? {
         [red, green, blue] | [red, green, blue, 1.0] => Ok(Rgb([red, green, blue])),
         _ => Err(not_a_colour(text)),
@@ -51,7 +56,9 @@ mod tests {
         for text in ["0.9, 0.7 0.3", "[0.9, 0.7, 0.3, 1.0]", "(0.9; 0.7; 0.3)"] {
             assert_eq!(colour_of(text), Rgb([0.9, 0.7, 0.3]), "{text}");
         }
-        assert_eq!(colour_of("#ffffff"), Rgb::WHITE);
+        assert_eq!(hex_colour("#ffffff").unwrap(), Some(Rgb::WHITE));
+        assert_eq!(hex_colour("1 1 1").unwrap(), None);
+        assert!(hex_colour("#12").is_err());
     }
 
     #[test]

@@ -138,6 +138,9 @@ mod tests {
         assert!(reason(&format!("{HEAD_T}\nGold,1,NaN,0,1,1,1,0\n")).contains("NaN"));
         assert!(reason(&format!("{HEAD_T}\nGold,1,1,1,1,1,1,2\n")).contains("roughness"));
         assert!(reason(&format!("{HEAD_T}\nGold,1,1\n")).contains("table"));
+        let nk = "n_red,n_green,n_blue,k_red,k_green,k_blue\n";
+        assert!(reason(&format!("{nk}-0.2,0.4,1.4,3.4,2.3,1.8\n")).contains("negative"));
+        assert!(reason(&format!("{nk}0.2,0.4,1.4,3.4,2.3,-1.8\n")).contains("negative"));
         let g = "r_red,r_green,r_blue,g_red,g_green,g_blue\n0.5,0.5,0.5,2,0.5,0.5\n";
         assert!(reason(g).contains("no material"));
     }

@@ -2,7 +2,7 @@
 
 use super::ImportError;
 use super::imported::{Found, Imported, hoffman};
-use super::numbers::{colour, number, shortened};
+use super::numbers::{colour, hex_colour, number, shortened};
 use crate::color::{Rgb, RgbSpace, UnknownName};
 use crate::fresnel::{FresnelModel, h_of_schlick};
 
@@ -59,8 +59,37 @@ struct Values {
     name: Option<String>,
     roughness: Option<f64>,
     /// First and second triple with their symbols.
-    model: Option<(char, Rgb)>,
-    second: Option<(char, Rgb)>,
+    model: Option<(char, Triple)>,
+    second: Option<(char, Triple)>,
+}
+
+/// Three values as the text has them.
+#[derive(Clone, Copy)]
+enum Triple {
+    /// In the space of the metal.
+    Numbers(Rgb),
+    /// From `#rrggbb`: linear Rec.709.
+    Hex(Rgb),
+}
+
+impl Triple {
+    fn read(text: &str) -> Result<Self, ImportError> {
+        hex_colour(text)?.map_or_else(|| colour(text).map(Self::Numbers), |rgb| Ok(Self::Hex(rgb)))
+    }
+
+    /// The values of `symbol` in a space; of the symbols only r and h are colours that can be converted.
+    fn in_space(self, symbol: char, space: RgbSpace) -> Result<Rgb, String> {
+        match self {
+            Self::Numbers(rgb) => Ok(rgb),
+            Self::Hex(rgb) if space == RgbSpace::LinRec709 => Ok(rgb),
+            Self::Hex(rgb) if "rh".contains(symbol) => Ok(RgbSpace::LinRec709.convert(rgb, space)),
+            Self::Hex(_) => Err(format!("{symbol} is no colour, so its sRGB code cannot be converted to {space}")),
+        }
+    }
+
+    fn is_converted(self, space: RgbSpace) -> bool {
+        matches!(self, Self::Hex(_)) && space != RgbSpace::LinRec709
+    }
 }
 
 impl Values {
@@ -72,7 +101,7 @@ impl Values {
         let symbols: [(&[&str], char); 6] = [(&R, 'r'), (&H, 'h'), (&T, 't'), (&G, 'g'), (&N, 'n'), (&K, 'k')];
         let symbol = symbols.iter().find(|(keys, _)| keys.contains(&key)).map(|(_, symbol)| *symbol);
         let symbol = symbol.ok_or_else(|| no_value(line))?;
-        let triple = colour(value)?;
+        let triple = Triple::read(value)?;
         let slot = if "rn".contains(symbol) { &mut self.model } else { &mut self.second };
         match slot {
             None => *slot = Some((symbol, triple)),
@@ -83,7 +112,16 @@ impl Values {
 
     fn add_to(self, imported: &mut Imported, space: Option<RgbSpace>) -> Result<(), ImportError> {
         let name = self.name.unwrap_or_else(|| "Pasted metal".to_owned());
-        let model = match (self.model, self.second) {
+        let space = imported.space_or_assumed(space, &format!("“{name}”"));
+        let triples = [self.model, self.second];
+        if triples.iter().flatten().any(|(_, triple)| triple.is_converted(space)) {
+            imported.notes.push(format!("“{name}” has an sRGB code, which was converted to {space}"));
+        }
+        let [first, second] = triples.map(|found| {
+            found.map(|(symbol, triple)| triple.in_space(symbol, space).map(|values| (symbol, values))).transpose()
+        });
+        let refused = |reason| ImportError::metal(&name, reason);
+        let model = match (first.map_err(refused)?, second.map_err(refused)?) {
             (Some(('r', r)), Some(('h', h))) => hoffman(r, h),
             (Some(('r', r)), Some(('t', t))) => FresnelModel::F82Tint { r, t },
             (Some(('r', r)), Some(('g', g))) => FresnelModel::Gulbrandsen { r, g },
@@ -94,7 +132,6 @@ impl Values {
             }
             _ => return Err(ImportError::metal(&name, "it needs r with h, t or g, or n with k")),
         };
-        let space = imported.space_or_assumed(space, &format!("“{name}”"));
         imported.add(Found { name, space, model, roughness: self.roughness })
     }
 }
@@ -114,6 +151,20 @@ mod tests {
         assert!(imported.notes.is_empty(), "{:?}", imported.notes);
     }
 
+    /// The code is sRGB, whatever space the numbers beside it have.
+    #[test]
+    fn a_code_is_converted_to_the_space() {
+        let imported = read("r: #ff8040\nh: 0.9 0.8 0.7\nspace: acescg", None).unwrap();
+        let code = crate::color::linear_from_srgb8([0xff, 0x80, 0x40]);
+        let preset = &imported.presets[0];
+        assert!(preset.in_space(RgbSpace::LinRec709).r.max_abs_difference(code) < 1e-12);
+        assert!(preset.h.max_abs_difference(Rgb([0.9, 0.8, 0.7])) < 1e-14);
+        assert!(imported.notes[0].contains("converted to acescg"), "{:?}", imported.notes);
+        let tint = read("r: 0.9 0.8 0.7\nt: #ff8040\nspace: acescg", None).unwrap_err();
+        assert!(tint.to_string().contains("t is no colour"), "{tint}");
+        assert!(read("r: 0.9 0.8 0.7\nt: #ff8040", None).is_ok(), "linear Rec.709 is the space of the code");
+    }
+
     #[test]
     fn a_name_begins_another_metal() {
         let text = "name: A\nr: 0.5 0.5 0.5\nh: 0.7 0.7 0.7\nname: B\nr: #808080\n";
@@ -131,6 +182,7 @@ mod tests {
         assert!(reason("Base Color: 1 1 1\nMetallic: 0").contains("only 1"));
         assert!(reason("Specular Tint: 1 1 1").contains("no metal"));
         assert!(reason("r: 1 1 1\nr: 1 1 1").contains("twice"));
+        assert!(reason("n: -1 1 1\nk: 3 3 3").contains("negative"));
         assert!(reason("n: 1 1 1\nh: 1 1 1").contains("needs r"));
     }
 }

@@ -11,7 +11,7 @@ pub(super) const DEEPEST_NESTING: usize = 32;
 const LINE_WIDTH: usize = 120;
 
 /// Reads one JSON value. Unlike `serde_json::from_str` it refuses an object that gives a key twice.
-pub(super) fn read(text: &str) -> Result<Value, serde_json::Error> {
+pub(crate) fn read(text: &str) -> Result<Value, serde_json::Error> {
     let mut deserializer = serde_json::Deserializer::from_str(text);
     let value = Strict { depth: 0 }.deserialize(&mut deserializer)?;
     deserializer.end()?;

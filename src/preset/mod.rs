@@ -11,4 +11,5 @@ pub use document::{Origin, Preset};
 pub use file::PresetFileError;
 pub use format::{FormatError, Loaded, PRESET_FORMAT};
 pub use json::pretty_json;
+pub(crate) use json::read as read_strict_json;
 pub use library::{built_in_presets, presets_from_metals};
