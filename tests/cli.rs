@@ -544,6 +544,19 @@ fn export_refuses_to_lose_or_to_replace_when_asked() {
 }
 
 #[test]
+fn export_names_one_file_and_tells_names_that_meet() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    quiet(&["export", "--metal", "Cr", "--to", "open-pbr", "-o", &path("new/mine.mtlx")]);
+    assert!(folder.path().join("new/mine.mtlx").is_file());
+    let several = ["export", "--metal", "Cr", "--metal", "Ni", "--to", "open-pbr", "-o", &path("two.mtlx")];
+    assert!(refusal(1, &several).contains("takes a folder"));
+    let twice = edgewise(&["export", "--metal", "Cr", "--metal", "Cr", "--to", "open-pbr", "-o", &path("both")]);
+    assert!(stderr(&twice).contains("2 presets share"), "{}", stderr(&twice));
+    assert_eq!(folder.path().join("both").read_dir().unwrap().count(), 2);
+}
+
+#[test]
 fn import_brings_back_what_export_wrote() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();

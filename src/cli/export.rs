@@ -9,8 +9,9 @@ use clap::Args;
 use serde_json::json;
 
 use super::output::{Cell, Format, FormatArguments, Output, Table};
+use super::study::progress_bar;
 use crate::color::RgbSpace;
-use crate::export::{Exported, Options, Target, export_all};
+use crate::export::{Exported, Options, Target, export_all, file_stem, file_stems};
 use crate::file::replace_file;
 use crate::metal::metal_by_name;
 use crate::preset::{Preset, pretty_json};
@@ -30,8 +31,8 @@ pub struct Export {
     /// The working space of the reader; lin_rec709 unless given
     #[arg(long)]
     space: Option<RgbSpace>,
-    /// The folder to write into; created where missing
-    #[arg(long, short, value_name = "DIR", default_value = ".")]
+    /// The folder to write into, created where missing; or, for one file, its name with the target's extension
+    #[arg(long, short, value_name = "DIR|FILE", default_value = ".")]
     output: PathBuf,
     /// Replace files that are there
     #[arg(long)]
@@ -47,18 +48,18 @@ pub struct Export {
 }
 
 impl Export {
-    pub(super) fn run(self) -> anyhow::Result<Output> {
+    pub(super) fn run(mut self) -> anyhow::Result<Output> {
         if self.list {
             return Ok(Output { text: targets().render(self.format.format()), ..Output::default() });
         }
         let (presets, mut warnings) = self.presets()?;
-        let exports = self.exports(&presets)?;
+        let mut exports = self.exports(&presets)?;
+        self.name_the_file(&mut exports)?;
+        warnings.extend(self.renamed(&presets));
         self.refuse_losses(&exports)?;
         self.refuse_to_replace(&exports)?;
         std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
-        for file in exports.iter().flat_map(|(_, exported)| &exported.files) {
-            self.write(&self.output.join(&file.name), &file.bytes)?;
-        }
+        self.write_all(&exports)?;
         warnings.extend(exports.iter().flat_map(|(target, exported)| sentences(*target, exported)));
         let text = match self.format.format() {
             Format::Json => pretty_json(&exports.iter().map(|export| self.document(export)).collect()),
@@ -84,6 +85,48 @@ impl Export {
     fn exports(&self, presets: &[Preset]) -> anyhow::Result<Vec<(Target, Exported)>> {
         let options = Options { space: self.space };
         self.targets.iter().map(|&target| Ok((target, export_all(presets, target, &options)?))).collect()
+    }
+
+    /// `-o FILE`: a name that ends as the target's files do is that of the one file, unless it is a folder.
+    fn name_the_file(&mut self, exports: &mut [(Target, Exported)]) -> anyhow::Result<()> {
+        let extension = self.output.extension().map(|extension| extension.to_ascii_lowercase());
+        let is_file = |target: &Target| extension.as_deref().is_some_and(|e| e == target.extension());
+        if self.output.is_dir() || !self.targets.iter().any(is_file) {
+            return Ok(());
+        }
+        let path = self.output.display();
+        let mut files = exports.iter_mut().flat_map(|(_, exported)| &mut exported.files);
+        let (Some(file), None) = (files.next(), files.next()) else {
+            bail!("{path} is the name of one file, and this export has several; -o takes a folder for them");
+        };
+        let name = self.output.file_name().and_then(|name| name.to_str());
+        file.name = name.with_context(|| format!("{path} is no file name in UTF-8"))?.to_owned();
+        let folder = self.output.parent().filter(|folder| !folder.as_os_str().is_empty());
+        self.output = folder.unwrap_or(Path::new(".")).to_path_buf();
+        Ok(())
+    }
+
+    /// A sentence where names met, so that files are not called what one expects.
+    fn renamed(&self, presets: &[Preset]) -> Option<String> {
+        if self.targets.iter().all(|target| target.is_palette()) {
+            return None;
+        }
+        let stems = file_stems(presets);
+        let mut renamed = presets.iter().zip(&stems).filter(|(preset, stem)| file_stem(&preset.name) != **stem);
+        let (preset, stem) = renamed.next()?;
+        let count = 1 + renamed.count();
+        Some(format!("{count} presets share their file names with others; “{}” is written as {stem}", preset.name))
+    }
+
+    fn write_all(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {
+        let bar = progress_bar("Writing");
+        bar.set_length(exports.iter().map(|(_, exported)| exported.files.len() as u64).sum());
+        for file in exports.iter().flat_map(|(_, exported)| &exported.files) {
+            self.write(&self.output.join(&file.name), &file.bytes)?;
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        Ok(())
     }
 
     /// A file that can be made again is not waited for until it is on the disk: of ten thousand, that takes minutes.
