@@ -199,7 +199,8 @@ fn blender_losses(material: &Material<'_>) -> Vec<Loss> {
 }
 
 fn dropped(material: &Material<'_>, target: Target) -> impl Iterator<Item = Part> {
-    let roughness = (!target.says_roughness() && material.roughness > 0.0).then(|| Part::Roughness(material.roughness));
+    let roughness =
+        (!target.says_roughness() && material.roughness > 0.0).then_some(Part::Roughness(material.roughness));
     let curve = target.is_palette().then_some(Part::Curve);
     roughness.into_iter().chain(curve)
 }
