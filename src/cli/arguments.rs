@@ -20,6 +20,24 @@ pub fn triple(text: &str) -> Result<Rgb, String> {
     channels.map(Rgb).map_err(|values| format!("expected three numbers like 0.9,0.7,0.4, found {}", values.len()))
 }
 
+/// A number of 0 to 1.
+pub fn share(text: &str) -> Result<f64, String> {
+    let value = number(text)?;
+    if (0.0..=1.0).contains(&value) { Ok(value) } else { Err(format!("{value} lies outside 0–1")) }
+}
+
+/// Doublings of light that still leave room in 32-bit floats.
+pub fn stops(text: &str) -> Result<f64, String> {
+    let value = number(text)?;
+    if value.abs() <= 20.0 { Ok(value) } else { Err(format!("{value} stops lie outside −20 to 20")) }
+}
+
+/// A number above 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let value = number(text)?;
+    if value > 0.0 { Ok(value) } else { Err(format!("{value} is not above 0")) }
+}
+
 /// What computes a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Model {

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `arguments` | triples, angles and other things people type |
 //! | `convert` | `edgewise convert`: the same material in other parameters |
+//! | `curve` | the truth of a material, or a model of it, over the angle |
 //! | `export` | `edgewise export`: presets as files for renderers |
 //! | `fit` | `edgewise fit`: parameters of models for a measured metal |
 //! | `import` | `edgewise import`: presets from what other programs write |
@@ -13,6 +14,7 @@
 //! | `metals` | `edgewise metals`: the library of measured data |
 //! | `output` | table, CSV and JSON, one form of each for every subcommand |
 //! | `parameters` | the parameters of a model as rows |
+//! | `picture` | `edgewise picture`: a sphere by the truth and by a model |
 //! | `presets` | `edgewise presets`: the presets that ship with the program |
 //! | `reflect` | `edgewise reflect`: reflectance over angle |
 //! | `samples` | `edgewise samples`: the rendered photographs inside the program |
@@ -22,6 +24,7 @@
 mod arguments;
 mod batch;
 mod convert;
+mod curve;
 mod export;
 mod fit;
 mod import;
@@ -31,6 +34,7 @@ mod match_photo;
 mod metals;
 mod output;
 mod parameters;
+mod picture;
 mod presets;
 mod reflect;
 mod samples;
@@ -76,6 +80,8 @@ pub enum Command {
     Metals(metals::Metals),
     /// Print or plot reflectance over the angle of incidence
     Reflect(reflect::Reflect),
+    /// Render a sphere by the truth and by a model, and where they differ
+    Picture(picture::PictureCommand),
     /// Fit models to a measured metal
     Fit(fit::FitCommand),
     /// Give the same material in the parameters of other models
@@ -98,6 +104,7 @@ impl Command {
             Self::Inspect(command) => command.run(),
             Self::Metals(command) => command.run(),
             Self::Reflect(command) => command.run(),
+            Self::Picture(command) => command.run(),
             Self::Fit(command) => command.run(),
             Self::Convert(command) => command.run(),
             Self::Presets(command) => command.run(),

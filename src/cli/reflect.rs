@@ -2,20 +2,18 @@
 
 use std::path::PathBuf;
 
-use anyhow::bail;
 use clap::Args;
 use serde_json::json;
 
 use super::arguments::{self, Angles, Model};
+use super::curve::Curve;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::source::{Material, Source, SourceArguments};
 use crate::color::Rgb;
 use crate::figure::{CurveFigure, CurveSeries, Figure, FigureTheme, curve_figure};
-use crate::fit::{Method, convert, fit};
-use crate::fresnel::{CosTheta, FresnelModel, ModelKind};
-use crate::metal::{Metal, SpectralModel};
+use crate::fit::Method;
+use crate::fresnel::CosTheta;
 use crate::preset::pretty_json;
-use crate::spectrum::Quadrature;
 
 /// Arguments of `edgewise reflect`.
 #[derive(Debug, Args)]
@@ -40,109 +38,43 @@ pub struct Reflect {
     format: FormatArguments,
 }
 
-/// What computes the curve.
-enum Curve<'a> {
-    Spectral(&'a Metal),
-    FewWavelengths(usize, SpectralModel),
-    Model(FresnelModel, Option<Method>),
-}
-
 impl Reflect {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         let source = self.source.source()?;
         let mut warnings = source.warnings.clone();
-        let curve = self.curve(&source, &mut warnings)?;
+        let curve = Curve::new(&source, self.model, self.method, &mut warnings)?;
         if let Some(path) = &self.plot {
-            curve.figure(&source).save(path, FigureTheme::Light)?;
+            figure(&curve, &source).save(path, FigureTheme::Light)?;
         }
         let reflectance = |&deg: &f64| (deg, curve.reflectance(CosTheta::from_deg(deg), &source));
         let rows: Vec<(f64, Rgb)> = self.angles.0.iter().map(reflectance).collect();
         let text = match self.format.format() {
-            Format::Json => pretty_json(&curve.json(&source, &rows, &warnings)),
+            Format::Json => pretty_json(&document(&curve, &source, &rows, &warnings)),
             format => table(&source, &rows).render(format),
         };
         Ok(Output { text, warnings, ..Output::default() })
     }
-
-    fn curve<'a>(&self, source: &'a Source, warnings: &mut Vec<String>) -> anyhow::Result<Curve<'a>> {
-        match (&source.material, self.model) {
-            (Material::Measured(metal), None | Some(Model::Spectral)) => Ok(Curve::Spectral(metal)),
-            (Material::Measured(metal), Some(Model::FewWavelengths(count))) => {
-                let model = SpectralModel::new(metal, count, Quadrature::default(), source.space);
-                Ok(Curve::FewWavelengths(count, model))
-            }
-            (Material::Measured(metal), Some(Model::Rgb(kind))) => self.fitted(metal, kind, source, warnings),
-            (Material::Model(_), Some(Model::Spectral | Model::FewWavelengths(_))) => {
-                bail!("only a metal or a file of n and k has a spectrum; choose another --model")
-            }
-            (Material::Model(_), _) if self.method.is_some() => bail!("--method is for a metal or a file of n and k"),
-            (Material::Model(model), None) => Ok(Curve::Model(*model, None)),
-            (Material::Model(model), Some(Model::Rgb(kind))) => {
-                let conversion = convert(model, kind, source.space)?;
-                warnings.extend(conversion.losses.iter().map(ToString::to_string));
-                Ok(Curve::Model(conversion.model, None))
-            }
-        }
-    }
-
-    fn fitted<'a>(
-        &self,
-        metal: &Metal,
-        kind: ModelKind,
-        source: &Source,
-        warnings: &mut Vec<String>,
-    ) -> anyhow::Result<Curve<'a>> {
-        let best_known = if Method::Exact.applies_to(kind) { Method::Exact } else { Method::LeastSquares };
-        let method = self.method.unwrap_or(best_known);
-        let fit = fit(metal, kind, method, source.space)?;
-        warnings.extend(fit.losses.iter().map(ToString::to_string));
-        Ok(Curve::Model(fit.model, Some(method)))
-    }
 }
 
-impl Curve<'_> {
-    fn reflectance(&self, angle: CosTheta, source: &Source) -> Rgb {
-        match self {
-            Self::Spectral(metal) => metal.reflectance(angle, source.space),
-            Self::FewWavelengths(_, model) => model.reflectance(angle),
-            Self::Model(model, _) => model.reflectance(angle),
-        }
+fn figure(curve: &Curve<'_>, source: &Source) -> CurveFigure {
+    let truth = match &source.material {
+        Material::Measured(metal) => Some(metal.as_ref()),
+        Material::Model(_) => None,
+    };
+    let mut figure = CurveFigure { title: source.name.clone(), ..curve_figure(truth, &[], source.space) };
+    if !matches!(curve, Curve::Spectral(_)) {
+        figure.models.push(CurveSeries::new(curve.label(), |angle| curve.reflectance(angle, source)));
     }
+    figure
+}
 
-    /// The name people read.
-    fn label(&self) -> String {
-        match self {
-            Self::Spectral(_) => "Truth".to_owned(),
-            Self::FewWavelengths(count, _) => format!("Spectral, {count} wavelengths"),
-            Self::Model(model, None) => model.kind().label().to_owned(),
-            Self::Model(model, Some(method)) => format!("{}, {method}", model.kind().label()),
-        }
-    }
-
-    fn figure(&self, source: &Source) -> CurveFigure {
-        let truth = match &source.material {
-            Material::Measured(metal) => Some(metal.as_ref()),
-            Material::Model(_) => None,
-        };
-        let mut figure = CurveFigure { title: source.name.clone(), ..curve_figure(truth, &[], source.space) };
-        if !matches!(self, Self::Spectral(_)) {
-            figure.models.push(CurveSeries::new(self.label(), |angle| self.reflectance(angle, source)));
-        }
-        figure
-    }
-
-    fn json(&self, source: &Source, rows: &[(f64, Rgb)], warnings: &[String]) -> serde_json::Value {
-        let (model, method) = match self {
-            Self::Spectral(_) => (json!({ "kind": "spectral" }), None),
-            Self::FewWavelengths(count, _) => (json!({ "kind": format!("spectral-{count}") }), None),
-            Self::Model(model, method) => (json!(model), *method),
-        };
-        let row = |(theta_deg, rgb): &(f64, Rgb)| json!({ "theta_deg": theta_deg, "red": rgb[0], "green": rgb[1], "blue": rgb[2] });
-        json!({
-            "material": source.name, "space": source.space, "model": model, "method": method, "warnings": warnings,
-            "curve": rows.iter().map(row).collect::<Vec<_>>(),
-        })
-    }
+fn document(curve: &Curve<'_>, source: &Source, rows: &[(f64, Rgb)], warnings: &[String]) -> serde_json::Value {
+    let (model, method) = curve.document();
+    let row = |(theta_deg, rgb): &(f64, Rgb)| json!({ "theta_deg": theta_deg, "red": rgb[0], "green": rgb[1], "blue": rgb[2] });
+    json!({
+        "material": source.name, "space": source.space, "model": model, "method": method, "warnings": warnings,
+        "curve": rows.iter().map(row).collect::<Vec<_>>(),
+    })
 }
 
 fn table(source: &Source, rows: &[(f64, Rgb)]) -> Table {

@@ -62,6 +62,8 @@ pub struct Source {
     pub material: Material,
     /// The space of every colour that is printed.
     pub space: RgbSpace,
+    /// A preset's roughness, 0–1; 0 for other materials.
+    pub roughness: f64,
     /// What a person should know about it.
     pub warnings: Vec<String>,
 }
@@ -128,17 +130,24 @@ fn conductor(n: Rgb, k: Rgb) -> anyhow::Result<FresnelModel> {
 
 impl Source {
     fn measured(metal: Metal, space: RgbSpace) -> Self {
-        Self { name: metal.name.clone(), material: Material::Measured(Box::new(metal)), space, warnings: vec![] }
+        Self {
+            name: metal.name.clone(),
+            material: Material::Measured(Box::new(metal)),
+            space,
+            roughness: 0.0,
+            warnings: vec![],
+        }
     }
 
     fn model(name: String, model: FresnelModel, space: RgbSpace) -> Self {
-        Self { name, material: Material::Model(model), space, warnings: vec![] }
+        Self { name, material: Material::Model(model), space, roughness: 0.0, warnings: vec![] }
     }
 
     fn preset(path: &Path, space: Option<RgbSpace>) -> anyhow::Result<Self> {
         let loaded = Preset::load(path)?;
         let preset = loaded.preset.in_space(space.unwrap_or(loaded.preset.space));
-        Ok(Self { warnings: loaded.warnings, ..Self::model(preset.name.clone(), preset.model(), preset.space) })
+        let source = Self::model(preset.name.clone(), preset.model(), preset.space);
+        Ok(Self { roughness: preset.roughness, warnings: loaded.warnings, ..source })
     }
 
     /// The material as one model: a metal by its exact r and h.

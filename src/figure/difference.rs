@@ -21,7 +21,12 @@ pub struct DifferenceFigure {
     pub full_scale: f64,
 }
 
-const SIDE: f64 = 276.0;
+impl DifferenceFigure {
+    /// Width of each picture in points.
+    pub const SIDE: f64 = 276.0;
+}
+
+const SIDE: f64 = DifferenceFigure::SIDE;
 const GAP: f64 = 20.0;
 
 impl Figure for DifferenceFigure {

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{Picture, Srgb8Picture};
-use crate::color::{Rgb, delta_e_rgb};
+use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 
 /// CIEDE2000 for each pixel of two pictures, relative to the white of their space.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +49,12 @@ impl DeltaEMap {
         self.delta_e.iter().copied().fold(0.0_f32, f32::max).into()
     }
 
+    /// The map as a picture whose three channels all hold the difference itself: for files that keep numbers.
+    pub fn to_picture(&self, space: RgbSpace) -> Picture {
+        let linear = self.delta_e.iter().map(|&delta_e| [delta_e; 3]).collect();
+        Picture { width: self.width, height: self.height, space, linear, coverage: self.coverage.clone() }
+    }
+
     /// The map in false colour: black at 0, through violet and orange to pale yellow at `full_scale` and above.
     pub fn to_false_colour(&self, full_scale: f64) -> Srgb8Picture {
         let pixels = self.delta_e.iter().zip(&self.coverage);
@@ -86,7 +92,7 @@ pub fn false_colour(share: f64) -> [u8; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::{RgbSpace, linear_from_srgb8, srgb8};
+    use crate::color::{linear_from_srgb8, srgb8};
     use crate::fresnel::{CosTheta, FresnelModel};
     use crate::metal::metal_by_name;
     use crate::render::{Light, RadialTable, SphereView};
