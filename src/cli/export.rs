@@ -11,7 +11,7 @@ use serde_json::json;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::study::progress_bar;
 use crate::color::RgbSpace;
-use crate::export::{Exported, Options, Target, export_all, file_stem, file_stems};
+use crate::export::{Exported, Options, Target, export_all, file_stems};
 use crate::file::replace_file;
 use crate::metal::metal_by_name;
 use crate::preset::{Preset, pretty_json};
@@ -112,7 +112,7 @@ impl Export {
             return None;
         }
         let stems = file_stems(presets);
-        let mut renamed = presets.iter().zip(&stems).filter(|(preset, stem)| file_stem(&preset.name) != **stem);
+        let mut renamed = presets.iter().zip(&stems).filter(|(preset, stem)| preset.file_stem() != **stem);
         let (preset, stem) = renamed.next()?;
         let count = 1 + renamed.count();
         Some(format!("{count} presets share their file names with others; “{}” is written as {stem}", preset.name))

@@ -7,11 +7,11 @@ use super::loss::{Cause, Difference, Part};
 use super::material::Material;
 use super::swatch::Swatch;
 use super::tint::Tint;
-use super::{ExportError, ExportFile, Exported, Loss, Options, Target, file_stem, file_stems};
+use super::{ExportError, ExportFile, Exported, Loss, Options, Target, file_stems};
 use super::{aco, ase, blender, cube, curve_csv, exr_ramp, gltf, gpl, materialx, mitsuba, mitsuba_plugin, shader, usd};
 use crate::color::RgbSpace;
 use crate::fresnel::FresnelModel;
-use crate::preset::Preset;
+use crate::preset::{Preset, file_stem};
 
 /// What writers return; their own error types differ.
 pub(super) type Written = Result<Vec<u8>, Box<dyn std::error::Error>>;

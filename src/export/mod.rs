@@ -34,5 +34,5 @@ mod usd;
 pub use export::{Shown, export, export_all, export_as, shown};
 pub use exported::{ExportError, ExportFile, Exported, Options};
 pub use loss::{Cause, Clip, Difference, Loss, Parameter, Part};
-pub use names::{file_stem, file_stems, identifier};
+pub use names::{file_stems, identifier};
 pub use target::Target;

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::{Area, Photo, Pixel};
+use crate::number::median_of_sorted;
 
 /// The area is cut into this many tiles each way for the jackknife: neighbouring pixels correlate.
 const TILES: usize = 8;
@@ -132,11 +133,7 @@ fn trimmed_mean(sorted: &[(f64, usize)]) -> f64 {
 }
 
 fn median(sorted: &[(f64, usize)]) -> f64 {
-    match sorted.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => sorted[n / 2].0,
-        n => 0.5 * (sorted[n / 2 - 1].0 + sorted[n / 2].0),
-    }
+    median_of_sorted(sorted, |(value, _)| *value)
 }
 
 fn standard_deviation(samples: &[(f64, usize)]) -> f64 {

@@ -110,9 +110,7 @@ impl Preset {
 
     /// The name as a file name without extension: `Brass, 70 % copper` is `brass-70-copper`.
     pub fn file_stem(&self) -> String {
-        let lower = self.name.to_lowercase();
-        let words: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
-        if words.is_empty() { "preset".to_owned() } else { words.join("-") }
+        super::file_stem(&self.name)
     }
 
     /// The model the preset stands for, in its own space.

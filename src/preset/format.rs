@@ -53,7 +53,10 @@ impl Preset {
     pub fn to_json(&self) -> Result<String, FormatError> {
         self.check_finite()?;
         let mut document = self.known_fields()?;
-        unknown::put_back(&mut document, &self.unknown_fields);
+        let lost = unknown::put_back(&mut document, &self.unknown_fields);
+        if !lost.is_empty() {
+            log::warn!("{}: fields this version does not know have lost their place: {}", self.name, lost.join(", "));
+        }
         let text = json::pretty_json(&Value::Object(document));
         match Self::from_json(&text) {
             Ok(Loaded { preset, .. }) if self.is_same_material(&preset) => Ok(text),

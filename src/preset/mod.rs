@@ -2,6 +2,7 @@
 
 mod document;
 mod file;
+mod file_stem;
 mod format;
 mod json;
 mod library;
@@ -9,6 +10,7 @@ mod unknown;
 
 pub use document::{Origin, Preset};
 pub use file::PresetFileError;
+pub use file_stem::file_stem;
 pub use format::{FormatError, Loaded, PRESET_FORMAT};
 pub use json::pretty_json;
 pub(crate) use json::read as read_strict_json;

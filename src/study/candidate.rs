@@ -24,6 +24,8 @@ const WAVELENGTHS: [usize; 5] = [3, 8, 16, 20, 31];
 impl Candidate {
     /// Schlick with the exact r: what others are held against.
     pub const SCHLICK: Self = Self::Model(ModelKind::Schlick, Method::Exact);
+    /// Lazányi with a and α by least squares.
+    pub const LAZANYI: Self = Self::Model(ModelKind::Lazanyi, Method::LeastSquares);
     /// Hoffman with the exact r and h.
     pub const HOFFMAN: Self = Self::Model(ModelKind::Hoffman, Method::Exact);
 
@@ -39,10 +41,12 @@ impl Candidate {
         Self::all().into_iter().filter(|candidate| candidate.method() != Some(Method::BlackBox)).collect()
     }
 
-    /// Only what reads its parameters off the metal, without any search.
+    /// What reads its parameters off the metal, without any search, and Lazányi with its fitted a and α: those two
+    /// have no other definition (Lazányi & Szirmay-Kalos 2005 fit them), and the fit is quick.
     pub fn without_search() -> Vec<Self> {
         let searches = [Some(Method::BlackBox), Some(Method::LeastSquares), Some(Method::MinMax)];
-        Self::all().into_iter().filter(|candidate| !searches.contains(&candidate.method())).collect()
+        let is_quick = |candidate: &Self| *candidate == Self::LAZANYI || !searches.contains(&candidate.method());
+        Self::all().into_iter().filter(is_quick).collect()
     }
 
     /// How the parameters are derived; the spectral model has none.
@@ -181,6 +185,9 @@ mod tests {
         let (all, quick, read_off) = (Candidate::all(), Candidate::without_black_box(), Candidate::without_search());
         assert!(quick.iter().all(|c| all.contains(c)) && read_off.iter().all(|c| quick.contains(c)));
         assert!(read_off.len() < quick.len() && quick.len() < all.len());
+        for kind in ModelKind::ALL {
+            assert!(read_off.iter().any(|c| matches!(c, Candidate::Model(k, _) if *k == kind)), "{kind}");
+        }
         assert!(read_off.contains(&Candidate::SCHLICK) && read_off.contains(&Candidate::HOFFMAN));
     }
 }

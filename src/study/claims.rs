@@ -131,8 +131,9 @@ impl Evidence {
             is_worse(primaries_srgb, schlick_srgb),
             is_worse(primaries_acescg, schlick_acescg),
         ];
-        let cell =
-            |summary: &Summary| format!("{:.2} (worse for {})", summary.mean_delta_e, summary.worse_than_schlick);
+        let cell = |summary: &Summary| {
+            format!("{:.2} (worse for {})", summary.mean_delta_e, summary.worse_than_schlick_text())
+        };
         Some(Claim {
             section: "5",
             says: "RGB n, k by common methods such as point sampling are as wrong as Schlick or more",
@@ -188,7 +189,10 @@ impl Evidence {
             found: format!(
                 "g = 0.5 has a mean ΔE of {:.2} in ACEScg, worse than Schlick for {} of {} metals; of all constants \
                  g = {g:.2} is best with {error:.2}, against {:.2} of Schlick",
-                half.mean_delta_e, half.worse_than_schlick, half.metals, schlick.mean_delta_e
+                half.mean_delta_e,
+                half.worse_than_schlick_text(),
+                half.metals,
+                schlick.mean_delta_e
             ),
         })
     }

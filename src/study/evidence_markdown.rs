@@ -53,7 +53,7 @@ impl Evidence {
                     summary.worst_metal,
                     summary.worst_mean_delta_e,
                     summary.below_two,
-                    summary.worse_than_schlick
+                    summary.worse_than_schlick_text()
                 )?;
             }
         }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{AccuracyRow, Candidate};
 use crate::color::RgbSpace;
+use crate::number::median_of_sorted;
 
 /// The paper's bound for the mean error of Schlick's model (section 2).
 const PAPER_BOUND_DELTA_E: f64 = 2.0;
@@ -37,11 +38,19 @@ pub struct Summary {
     pub angle_of_largest_deg: f64,
     /// Number of metals whose mean CIEDE2000 is below 2.
     pub below_two: usize,
-    /// Number of metals for which it is worse than Schlick with the exact r, by mean CIEDE2000.
-    pub worse_than_schlick: usize,
+    /// Number of metals for which it is worse than Schlick with the exact r, by mean CIEDE2000; `None` where Schlick
+    /// was not measured for each of them.
+    pub worse_than_schlick: Option<usize>,
     /// The contestant itself.
     #[serde(skip)]
     pub candidate: Candidate,
+}
+
+impl Summary {
+    /// [`worse_than_schlick`](Self::worse_than_schlick) for a sentence or a table: a number, or that it is unknown.
+    pub fn worse_than_schlick_text(&self) -> String {
+        self.worse_than_schlick.map_or_else(|| "not measured".to_owned(), |count| count.to_string())
+    }
 }
 
 /// Summarises rows by space and candidate, in the order they first appear.
@@ -64,7 +73,8 @@ fn summary(rows: &[AccuracyRow], space: RgbSpace, candidate: Candidate) -> Optio
     let largest = *own.iter().max_by(|a, b| a.max_delta_e.total_cmp(&b.max_delta_e))?;
     let mean = |value: fn(&AccuracyRow) -> f64| own.iter().map(|row| value(row)).sum::<f64>() / own.len() as f64;
     let schlick = |metal: &str| of_space().find(|row| row.candidate == Candidate::SCHLICK && row.metal == metal);
-    let is_worse = |row: &&&AccuracyRow| schlick(&row.metal).is_some_and(|s| row.mean_delta_e > s.mean_delta_e);
+    let is_worse = |row: &&AccuracyRow| schlick(&row.metal).map(|s| row.mean_delta_e > s.mean_delta_e);
+    let worse: Option<Vec<bool>> = own.iter().map(is_worse).collect();
     Some(Summary {
         space,
         model: candidate.model_id(),
@@ -79,19 +89,15 @@ fn summary(rows: &[AccuracyRow], space: RgbSpace, candidate: Candidate) -> Optio
         largest_delta_e: largest.max_delta_e,
         angle_of_largest_deg: largest.angle_of_max_deg,
         below_two: own.iter().filter(|row| row.mean_delta_e < PAPER_BOUND_DELTA_E).count(),
-        worse_than_schlick: own.iter().filter(is_worse).count(),
+        worse_than_schlick: worse.map(|worse| worse.into_iter().filter(|worse| *worse).count()),
         candidate,
     })
 }
 
-/// The middle value; NaN of nothing.
+/// The middle value of any order; NaN of nothing.
 pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
-    match values.len() {
-        0 => f64::NAN,
-        n if n % 2 == 1 => values[n / 2],
-        n => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-    }
+    median_of_sorted(&values, |value| *value)
 }
 
 #[cfg(test)]
@@ -113,7 +119,15 @@ mod tests {
                 (1, row.mean_delta_e, row.mean_delta_e)
             );
         }
-        assert_eq!(summaries[0].worse_than_schlick, 0);
+        assert!(summaries.iter().all(|summary| summary.worse_than_schlick == Some(0)));
+    }
+
+    #[test]
+    fn without_schlick_nothing_is_said_about_it() {
+        let gold = [metal_by_name("gold").unwrap()];
+        let rows = accuracy(&gold, &[Candidate::HOFFMAN], &[RgbSpace::AcesCg], &no_progress).unwrap();
+        let summary = &summaries(&rows)[0];
+        assert_eq!((summary.worse_than_schlick, summary.worse_than_schlick_text().as_str()), (None, "not measured"));
     }
 
     #[test]
