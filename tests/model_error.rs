@@ -23,12 +23,12 @@ struct Reference {
 
 fn references() -> Vec<Reference> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(REFERENCE.as_bytes());
-    let rows = reader.records().map(Result::unwrap).map(|record| Reference {
-        metal: metal_by_name(&record[0]).unwrap(),
+    let rows = reader.records().map(|record| record.expect("a row")).map(|record| Reference {
+        metal: metal_by_name(&record[0]).expect("a metal of the library"),
         space: if &record[1] == "sRGB" { RgbSpace::LinRec709 } else { RgbSpace::AcesCg },
         model: record[2].to_owned(),
-        mean: record[3].parse().unwrap(),
-        max: record[4].parse().unwrap(),
+        mean: record[3].parse().expect("a number"),
+        max: record[4].parse().expect("a number"),
     });
     rows.collect()
 }
@@ -50,7 +50,7 @@ fn candidate(model: &str) -> Candidate {
 
 fn measured(reference: &Reference) -> AccuracyRow {
     let rows = accuracy(&[reference.metal], &[candidate(&reference.model)], &[reference.space], &no_progress);
-    rows.unwrap().remove(0)
+    rows.expect("nobody stops it").remove(0)
 }
 
 #[test]

@@ -9,7 +9,7 @@ use edgewise::fit::{Method, Triple};
 use edgewise::fresnel::{ModelKind, THETA_MAX_DEG};
 use edgewise::study::{Candidate, Evidence, Summary, Verdict, no_progress};
 
-static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| Evidence::measure(&no_progress).unwrap());
+static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| Evidence::measure(&no_progress).expect("nobody stops it"));
 
 const SRGB: RgbSpace = RgbSpace::LinRec709;
 const ACESCG: RgbSpace = RgbSpace::AcesCg;
@@ -19,7 +19,7 @@ const WEIGHTED: Candidate = Candidate::Model(ModelKind::Conductor, Method::Colou
 const NEAREST_NK: Candidate = Candidate::Model(ModelKind::Conductor, Method::LeastSquares);
 
 fn summary(space: RgbSpace, candidate: Candidate) -> &'static Summary {
-    EVIDENCE.summary(space, candidate).unwrap()
+    EVIDENCE.summary(space, candidate).expect("measured in this space")
 }
 
 fn mean(space: RgbSpace, candidate: Candidate) -> f64 {
