@@ -84,6 +84,7 @@ fn copper_is_an_estimate_until_the_greys_are_marked() {
     let (scaled, _) = solved("copper_camera", |sample, request| request.greys = sample.facts.greys.clone());
     println!("{:?} {:?}", errors(&plain, &truth), errors(&scaled, &truth));
     assert!(plain.is_estimate && warns(&plain, WarningCode::Estimate) && !scaled.is_estimate);
+    assert!(warns(&plain, WarningCode::Assumed), "what the file leaves open is told with the match");
     let worst = |found: &Match| errors(found, &truth).into_iter().map(|(r, _)| r.abs()).fold(0.0, f64::max);
     assert!(worst(&plain) > 0.06 && worst(&scaled) < 0.06, "{} {}", worst(&plain), worst(&scaled));
 }

@@ -31,7 +31,6 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, space: RgbSpace) {
         Matching::Solved(found) => {
             numbers(ui, found, space);
             truth(ui, session, found, space);
-            warnings(ui, &session.photo.warnings);
             warnings(ui, &found.warnings);
         }
     }

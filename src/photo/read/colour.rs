@@ -158,5 +158,5 @@ fn assumption(rule: &ColourRule) -> Option<Warning> {
         (false, true) => "Its primaries are",
         (false, false) => return None,
     };
-    Some(Warning::new(WarningCode::Assumed, format!("{what} not stated by the file ({rule})")))
+    Some(Warning::new(WarningCode::Assumed, format!("{what} not stated by the file ({rule}).")))
 }

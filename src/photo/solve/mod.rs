@@ -28,8 +28,14 @@ use region::Regions;
 use shape::{ConductorShape, MetalCurve};
 use view::View;
 
-/// r and h of the metal marked in a photograph, in `space`, with uncertainties and warnings.
+/// r and h of the metal marked in a photograph, in `space`, with uncertainties and the warnings of both.
 pub fn solve(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<Match, MatchError> {
+    let mut outcome = solve_marks(photo, request, space)?;
+    outcome.warnings.splice(0..0, photo.warnings.iter().cloned());
+    Ok(outcome)
+}
+
+fn solve_marks(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<Match, MatchError> {
     let view = View::of(photo, request)?;
     if request.mode == LightMode::FlatMirror {
         return mirror::solve_mirrors(&view, request, space);
