@@ -5,7 +5,7 @@ mod studio;
 use edgewise::color::RgbSpace;
 use edgewise::photo::{Card, Circle, MatchRequest, WarningCode, solve};
 use edgewise::sample::{Camera, Tent};
-use studio::{Stored, Studio, codes};
+use studio::{Stored, Studio, codes, largest_error};
 
 const DEFAULT: fn() -> Studio = Studio::default;
 
@@ -70,6 +70,9 @@ fn a_rim_that_mirrors_a_dark_backdrop_shows_no_h() {
     assert_eq!(found.h, [None; 3]);
     assert!(found.r[0].is_some());
     assert!(backdrop(None).solve().h[0].is_some());
+    // Zinc is darker at the rim by itself.
+    let zinc = Studio { metal: "zinc", ..DEFAULT() };
+    assert!(largest_error(zinc.solve().h, zinc.truth().h) < 0.05, "{:?}", zinc.solve());
 }
 
 #[test]

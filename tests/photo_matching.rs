@@ -123,7 +123,7 @@ fn a_large_sharp_ball_gives_the_light_itself() {
         size: [860, 860],
         camera: Camera { exposure: 0.37, blur_px: 0.3, noise: 0.01, seed: 5 },
         card: [2.0, 2.0, 20.0, 20.0],
-        rays: 2,
+        rays: 1,
         ..Studio::default()
     };
     let request = MatchRequest { mode: LightMode::SolvedLight, cards: Vec::new(), ..studio.request() };
@@ -268,12 +268,7 @@ fn coverage_of_picture(seed: u64) -> (usize, usize) {
     let (truth, found) = (studio.truth(), studio.solve_as(&MatchRequest { circle: Some(placed), ..studio.request() }));
     let (r, h) = (covered(found.r, found.r_uncertainty, truth.r), covered(found.h, found.h_uncertainty, truth.h));
     if r + h < 6 {
-        println!(
-            "{} r {:+.4} h {:+.4}",
-            studio.metal,
-            largest_error(found.r, truth.r),
-            largest_error(found.h, truth.h)
-        );
+        println!("{}: {:?} {:?} instead of {truth:?}; {:?}", studio.metal, found.r, found.h, found.warnings);
     }
     (r, h)
 }
@@ -289,7 +284,7 @@ fn assert_coverage(pictures: u64) {
 
 #[test]
 fn uncertainty_covers_the_truth_in_random_pictures() {
-    assert_coverage(40);
+    assert_coverage(16);
 }
 
 /// The bar of the project asks for 90 % of 500: `cargo test --release --test photo_matching -- --ignored`.

@@ -268,7 +268,9 @@ impl Reduced {
         let value = |x: usize, y: usize| {
             let at = |dx: f64, dy: f64| brightness(photo, ((x as f64 + dx) * scale, (y as f64 + dy) * scale));
             let points = [at(0.25, 0.25), at(0.75, 0.25), at(0.25, 0.75), at(0.75, 0.75)];
-            points.iter().flatten().sum::<f64>() / points.iter().flatten().count().max(1) as f64
+            let mean = points.iter().flatten().sum::<f64>() / points.iter().flatten().count().max(1) as f64;
+            // Contrast, not difference: a dark ball before a bright sky has an outline, too.
+            (mean + 0.01).ln()
         };
         let values = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| value(x, y)).collect();
         Self { width, height, scale, values }
@@ -276,7 +278,7 @@ impl Reduced {
 
     /// Circles that many edges point at: each edge votes for centres along its gradient (Duda & Hart 1972).
     fn round_shapes(&self) -> Vec<Circle> {
-        const KEPT: usize = 6;
+        const KEPT: usize = 12;
         let edges = self.edges();
         let (smallest, largest) = (6.0, 0.55 * self.width.max(self.height) as f64);
         let mut shapes: Vec<(f64, Circle)> = Vec::new();
@@ -290,10 +292,16 @@ impl Reduced {
             radius *= 1.06;
         }
         shapes.sort_by(|a, b| b.0.total_cmp(&a.0));
-        shapes.into_iter().take(KEPT).map(|(_, circle)| circle).collect()
+        let mut kept: Vec<Circle> = Vec::new();
+        for (_, circle) in shapes {
+            if kept.len() < KEPT && kept.iter().all(|other| !is_near(circle, *other)) {
+                kept.push(circle);
+            }
+        }
+        kept
     }
 
-    /// The steepest tenth of the pixels with the direction of their gradient.
+    /// The steepest quarter of the pixels with the direction of their gradient.
     fn edges(&self) -> Vec<(f64, f64, f64, f64)> {
         let at = |x: usize, y: usize| self.values[y * self.width + x];
         let mut edges = Vec::new();
@@ -301,13 +309,13 @@ impl Reduced {
             for x in 1..self.width.saturating_sub(1) {
                 let (gx, gy) = (at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
                 let length = gx.hypot(gy);
-                if length > 1e-4 {
+                if length > 0.02 {
                     edges.push((x as f64, y as f64, gx / length, gy / length, length));
                 }
             }
         }
         edges.sort_by(|a, b| b.4.total_cmp(&a.4));
-        edges.truncate(self.values.len() / 8);
+        edges.truncate(self.values.len() / 4);
         edges.into_iter().map(|(x, y, dx, dy, _)| (x, y, dx, dy)).collect()
     }
 

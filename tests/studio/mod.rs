@@ -133,7 +133,7 @@ pub fn largest_error(found: [Option<f64>; 3], truth: Rgb) -> f64 {
     (0..3).map(|i| (found[i].expect("measured") - truth[i]).abs()).fold(0.0, f64::max)
 }
 
-/// Channels in which value ± uncertainty contains the truth.
+/// Channels in which value ± uncertainty contains the truth; a value that was not measured does not.
 pub fn covered(found: [Option<f64>; 3], uncertainty: [Option<f64>; 3], truth: Rgb) -> usize {
-    (0..3).filter(|&i| (found[i].unwrap() - truth[i]).abs() <= uncertainty[i].unwrap()).count()
+    (0..3).filter(|&i| found[i].is_some_and(|value| (value - truth[i]).abs() <= uncertainty[i].unwrap())).count()
 }

@@ -8,7 +8,7 @@ use super::region::{Regions, SECTORS};
 use super::shape::MetalCurve;
 use super::view::View;
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::{reachable_h, reflectance_range};
+use crate::fresnel::{CosTheta, gulbrandsen, reachable_h, reflectance_range};
 use crate::photo::{Area, AreaStatistics, LightMode, MatchRequest, Photo, Warning, WarningCode, snap_circle};
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -96,8 +96,7 @@ fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<War
     }
     for (name, region) in [("facing area", &regions.inner), ("edge area", &regions.outer)] {
         if let Some(region) = region
-            && let Some(area) = region.picked()
-            && region.pixels(photo).count() < area.pixels(photo.width, photo.height).count()
+            && region.leaves_ball(photo)
         {
             messages.push(format!("The {name} leaves the ball; only the part inside its outline is measured."));
         }
@@ -213,8 +212,10 @@ fn sector_medians(cells: &[Cell], curve: &MetalCurve, channel: usize, stratum: u
     ratios.filter(|ratios| !ratios.is_empty()).map(|mut ratios| median(&mut ratios)).collect()
 }
 
-/// F of every real metal stays within this of its value at 65° until 83°; a steeper fall is another light.
+/// A fall of less than this towards the rim needs no explanation.
 const STEEPEST_FALL: f64 = 0.10;
+/// Zinc falls from .74 to .53 by itself: darker than any conductor of its r by this is another light.
+const BELOW_ANY_CONDUCTOR: f64 = 0.05;
 
 fn mirrored_backdrop(request: &MatchRequest, measured: &Measured) -> Option<Warning> {
     mirrors_backdrop(request, measured).then(|| {
@@ -229,16 +230,32 @@ pub(super) fn mirrors_backdrop(request: &MatchRequest, measured: &Measured) -> b
     request.circle.is_some() && request.edge.is_none() && falls_at_rim(measured)
 }
 
-/// True when, in the median channel, the outermost rings are darker than the inner rings of the outer band.
+/// True when, in at least two channels, the outermost rings are darker than the inner rings of the outer
+/// band, and darker than any n + i k of that r is there.
 fn falls_at_rim(measured: &Measured) -> bool {
-    let mut falls = [0, 1, 2].map(|i| {
-        let of_rings = |rings: std::ops::Range<usize>| {
+    let falls = |i: usize| {
+        let of_rings = |rings: std::ops::Range<usize>, value: fn(&Cell) -> f64| {
             let cells = measured.all[i].iter().filter(|cell| cell.stratum == 1 && rings.contains(&cell.ring));
-            median(&mut cells.map(|cell| cell.reflectance).collect::<Vec<_>>())
+            median(&mut cells.map(value).collect::<Vec<_>>())
         };
-        of_rings(6..8) / of_rings(0..3)
-    });
-    median(&mut falls) < 1.0 - STEEPEST_FALL
+        let (rim, cosine) = (of_rings(6..8, |cell| cell.reflectance), of_rings(6..8, |cell| cell.cosine));
+        let is_darker = rim < (1.0 - STEEPEST_FALL) * of_rings(0..3, |cell| cell.reflectance);
+        let facing = of_facing(&measured.all[i]);
+        is_darker && rim < darkest_conductor(facing, cosine) - BELOW_ANY_CONDUCTOR
+    };
+    (0..3).filter(|&i| falls(i)).count() >= 2
+}
+
+/// The median over the middle of the ball: r, whatever the rim shows.
+fn of_facing(cells: &[Cell]) -> f64 {
+    median(&mut cells.iter().filter(|cell| cell.stratum == 0).map(|cell| cell.reflectance).collect::<Vec<_>>())
+}
+
+/// The smallest F that real n and k of this r reach at an angle.
+fn darkest_conductor(r: f64, cosine: f64) -> f64 {
+    const STEPS: u32 = 16;
+    let at = |step: u32| gulbrandsen(r.clamp(0.0, 0.999), f64::from(step) / f64::from(STEPS), CosTheta::new(cosine));
+    (0..=STEPS).map(at).fold(f64::INFINITY, f64::min)
 }
 
 /// ACEScg contains the colours of real metals; linear Rec.709 does not, so feasibility is judged there.

@@ -146,12 +146,20 @@ impl Region {
     /// The pixels of a picture that belong to it, each with its place.
     pub fn pixels(&self, photo: &Photo) -> impl Iterator<Item = (u32, u32, Place)> {
         let [x, y, width, height] = self.shape.bounds();
-        let columns = pixel_range(x, width, photo.width);
-        let pixels = pixel_range(y, height, photo.height).flat_map(move |row| columns.clone().map(move |c| (c, row)));
+        let stride = self.shape.stride();
+        let columns = pixel_range(x, width, photo.width).step_by(stride);
+        let rows = pixel_range(y, height, photo.height).step_by(stride);
+        let pixels = rows.flat_map(move |row| columns.clone().map(move |column| (column, row)));
         pixels.filter_map(|(column, row)| {
             let place = self.place(f64::from(column) + 0.5, f64::from(row) + 0.5)?;
             Some((column, row, place))
         })
+    }
+
+    /// True when part of a picked area lies beside the ball.
+    pub fn leaves_ball(&self, photo: &Photo) -> bool {
+        let is_outside = |(column, row)| self.place(f64::from(column) + 0.5, f64::from(row) + 0.5).is_none();
+        self.picked().is_some_and(|area| area.pixels(photo.width, photo.height).any(is_outside))
     }
 
     fn place(&self, x: f64, y: f64) -> Option<Place> {
@@ -205,6 +213,14 @@ impl Shape {
             Self::Band { circle, .. } | Self::OnBall { circle, .. } => Some(circle),
             Self::Flat { .. } => None,
         }
+    }
+
+    /// Of a large ball every second pixel each way is read, or every third…: neighbours correlate, and
+    /// the surroundings limit what is known long before 200 000 pixels do.
+    fn stride(self) -> usize {
+        const ENOUGH_RADIUS_PX: f64 = 250.0;
+        let [_, _, width, height] = self.bounds();
+        ((width.min(height) / 2.0 / ENOUGH_RADIUS_PX) as usize).max(1)
     }
 
     fn bounds(self) -> [f64; 4] {
