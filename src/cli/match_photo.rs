@@ -223,7 +223,7 @@ impl Matched {
             (value - u, value + u)
         };
         let matched = CurveSeries::new("Matched", |angle| model.reflectance(angle)).with_band(band);
-        let subtitle = format!("{} · {} · band: ± one standard uncertainty", preset.space.label(), self.photo.name);
+        let subtitle = format!("{} · {} · band: ± about 95 %", preset.space.label(), self.photo.name);
         let figure = curve_figure(metal, &[], preset.space);
         CurveFigure { title: preset.name.clone(), subtitle, models: vec![matched], ..figure }
     }

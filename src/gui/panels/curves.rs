@@ -77,7 +77,7 @@ pub(crate) fn sample(model: &FresnelModel) -> Vec<Rgb> {
     curve_angles_deg().map(|deg| model.reflectance(CosTheta::from_deg(deg))).collect()
 }
 
-/// The standard uncertainty of a matched curve, by the weights of r and h at each angle; `None` where either colour
+/// The ± of a matched curve, by the weights of r and h at each angle; `None` where either colour
 /// was not measured or was changed since.
 fn uncertainty_band(preset: &Preset, curve: &[Rgb]) -> Option<(Vec<Rgb>, Vec<Rgb>)> {
     let Origin::Matched(recipe) = &preset.origin else { return None };
