@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Passes every check of the project, from a bare Debian 12 with rustup's toolchain: some 20 minutes on 2 cores.
+# Passes every check of the project, from a bare Debian 12 with rustup's toolchain.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
