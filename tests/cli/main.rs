@@ -1,0 +1,12 @@
+//! Does the program itself do what its help says? Every test runs the real binary, as a person would.
+#![cfg(feature = "cli")]
+
+mod document;
+mod fit_and_export;
+mod inspect;
+mod listing;
+mod matching;
+mod picture;
+mod program;
+mod reflect;
+mod run;
