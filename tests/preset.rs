@@ -119,7 +119,9 @@ fn unknown_fields_survive_at_every_level() {
     assert_eq!(edited["origin"]["kind"], json!("edited"));
     assert_eq!(edited["origin"]["from"], document["origin"]);
 
+    assert_eq!(preset.lost_fields(), [""; 0]);
     let authored = Preset { origin: Origin::Authored, ..preset };
+    assert_eq!(authored.lost_fields(), ["origin"], "and whoever saves can say so");
     let authored: Value = serde_json::from_str(&authored.to_json().unwrap()).unwrap();
     assert_eq!(authored["origin"], json!({ "kind": "authored" }), "nothing of a measurement is left");
 }

@@ -154,7 +154,7 @@ mod tests {
             let mut broken = Rgb::WHITE;
             broken.0[channel] = f64::NAN;
             assert!(broken.max_channel().is_nan() && broken.min_channel().is_nan());
-            assert!(!(broken.max_abs_difference(Rgb::WHITE) < f64::INFINITY));
+            assert!(!broken.max_abs_difference(Rgb::WHITE).is_finite());
         }
         assert!(Rgb::splat(f64::NAN).max_abs_difference(Rgb::BLACK).is_nan());
         assert_eq!(Rgb([0.5, -3.0, 1.0]).max_abs_difference(Rgb::WHITE), 4.0);

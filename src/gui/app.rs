@@ -11,6 +11,7 @@ use super::history::STABLE_SECONDS;
 use super::job::{Job, Poll};
 use super::photograph::{Loaded, Session, Source};
 use super::prompt::{Among, Answer, Prompt};
+use super::recovery::{LeftBehind, Recovery};
 use super::state::{NoticeKind, Page, State};
 use super::{panels, theme};
 use crate::color::Rgb;
@@ -30,6 +31,8 @@ pub struct App {
     /// What was asked before the preset had to be saved.
     after_saving: Option<Action>,
     may_close: bool,
+    recovery: Option<Recovery>,
+    left_behind: Vec<LeftBehind>,
 }
 
 type LoadedPreset = (Preset, Vec<String>);
@@ -54,6 +57,8 @@ impl App {
             saving: None,
             after_saving: None,
             may_close: false,
+            recovery: None,
+            left_behind: Vec::new(),
         };
         app.state.view.metal = metal_by_name("gold").ok();
         if let Some(path) = path {
@@ -67,6 +72,20 @@ impl App {
         self.read(ctx, Source::Sample(sample));
     }
 
+    /// Keeps unsaved work in a folder from now on, and asks about what an earlier window left there.
+    pub fn keep_unsaved_work_in(&mut self, folder: &Path) {
+        match Recovery::start(folder) {
+            Ok(recovery) => {
+                self.left_behind = recovery.left_behind();
+                self.recovery = Some(recovery);
+            }
+            Err(error) => {
+                let sentence = format!("{}: unsaved work cannot be kept there: {error}", folder.display());
+                self.state.notify(NoticeKind::Warning, sentence);
+            }
+        }
+    }
+
     /// What the window shows.
     pub fn state(&self) -> &State {
         &self.state
@@ -78,6 +97,7 @@ impl App {
         let has_jobs =
             self.loading.is_some() || self.reading.is_some() || self.adding.is_some() || self.saving.is_some();
         has_jobs
+            || self.recovery.as_ref().is_some_and(Recovery::is_busy)
             || self.dialog.is_some()
             || is_photograph_busy
             || self.state.spheres.is_busy()
@@ -116,6 +136,12 @@ impl App {
                 self.state.view.metal = Some(metal);
                 self.state.page = Page::Author;
             }
+            Action::Recover(left) => {
+                self.state.document = Document::unsaved(left.preset.clone());
+                let outcome = self.recovery.as_mut().map_or(Ok(()), |recovery| recovery.adopt(&left));
+                self.warn_of(&left.copy, outcome);
+            }
+            Action::Forget(left) => self.warn_of(&left.copy, left.forget()),
         }
     }
 
@@ -288,6 +314,15 @@ impl App {
     }
 
     fn saved(&mut self, ctx: &Context, saving: Saving) {
+        let lost = saving.preset.lost_fields();
+        if !lost.is_empty() {
+            let sentence = format!(
+                "{}: fields that this version does not know have lost their place and were left out: {}",
+                saving.path.display(),
+                lost.join(", ")
+            );
+            self.state.notify(NoticeKind::Warning, sentence);
+        }
         self.state.document.was_saved(saving.preset, saving.path);
         if let Some(action) = self.after_saving.take() {
             self.perform(ctx, action);
@@ -357,7 +392,21 @@ impl App {
         });
     }
 
+    fn warn_of(&mut self, path: &Path, outcome: std::io::Result<()>) {
+        if let Err(error) = outcome {
+            self.state.notify(NoticeKind::Warning, format!("{}: {error}", path.display()));
+        }
+    }
+
+    /// Asks about one thing left behind at a time.
+    fn ask_about_left_behind(&mut self) {
+        if self.prompt.is_none() {
+            self.prompt = self.left_behind.pop().map(|left| Prompt::LeftBehind(Box::new(left)));
+        }
+    }
+
     fn answer_prompt(&mut self, ui: &Ui) {
+        self.ask_about_left_behind();
         let Some(prompt) = &mut self.prompt else { return };
         let answer = prompt.show(ui, &self.state);
         if !matches!(answer, Answer::None) {
@@ -393,6 +442,15 @@ impl App {
         document.history.feed(time, is_pointer_down || is_solving, &document.preset);
         if document.history.is_waiting() {
             ctx.request_repaint_after_secs(STABLE_SECONDS);
+        } else if !is_pointer_down {
+            self.keep_unsaved_work(ctx);
+        }
+    }
+
+    fn keep_unsaved_work(&mut self, ctx: &Context) {
+        let failure = self.recovery.as_mut().and_then(|recovery| recovery.keep(ctx, &self.state.document));
+        if let Some(sentence) = failure {
+            self.state.notify(NoticeKind::Warning, format!("unsaved work could not be kept: {sentence}"));
         }
     }
 
@@ -408,7 +466,7 @@ const NO_DIALOG: &str = "There is no file dialog service on this system. Type th
 fn loses_changes(action: &Action) -> bool {
     match action {
         Action::Load(path) => is_preset(path),
-        Action::Run(Command::New | Command::Quit) | Action::StartFrom(_) => true,
+        Action::Run(Command::New | Command::Quit) | Action::StartFrom(_) | Action::Recover(_) => true,
         _ => false,
     }
 }
@@ -449,6 +507,12 @@ impl eframe::App for App {
             self.perform(&ctx, action);
         }
         self.feed_history(&ctx);
+    }
+
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        if let Some(recovery) = &self.recovery {
+            recovery.finish();
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use eframe::egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Ui};
 
+use super::recovery::LeftBehind;
 use super::state::{Page, State};
 use crate::metal::Metal;
 use crate::sample::Sample;
@@ -264,6 +265,10 @@ pub(crate) enum Action {
     AddMetal(PathBuf),
     /// Compares with a metal.
     CompareWith(&'static Metal),
+    /// Opens what an earlier window left behind.
+    Recover(Box<LeftBehind>),
+    /// Deletes what an earlier window left behind.
+    Forget(Box<LeftBehind>),
 }
 
 impl From<Command> for Action {

@@ -12,7 +12,8 @@ pub struct Document {
     /// What is being authored.
     pub preset: Preset,
     file: Option<PathBuf>,
-    saved: Preset,
+    /// The preset that there would be nothing to lose of.
+    unchanged: Option<Preset>,
     pub(crate) history: History,
 }
 
@@ -21,7 +22,12 @@ impl Document {
     pub(crate) fn new(preset: Preset, file: Option<PathBuf>) -> Self {
         let mut history = History::default();
         history.restart(&preset);
-        Self { saved: preset.clone(), preset, file, history }
+        Self { unchanged: Some(preset.clone()), preset, file, history }
+    }
+
+    /// Work that was never saved: there is something to lose from the start.
+    pub(crate) fn unsaved(preset: Preset) -> Self {
+        Self { unchanged: None, ..Self::new(preset, None) }
     }
 
     /// The file it was read from or last saved to.
@@ -31,12 +37,12 @@ impl Document {
 
     /// True when there is something to lose.
     pub fn is_changed(&self) -> bool {
-        self.preset != self.saved
+        self.unchanged.as_ref() != Some(&self.preset)
     }
 
     /// Remembers that `saved` now stands in `file`; the preset may have moved on meanwhile.
     pub(crate) fn was_saved(&mut self, saved: Preset, file: PathBuf) {
-        self.saved = saved;
+        self.unchanged = Some(saved);
         self.file = Some(file);
     }
 

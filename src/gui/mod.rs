@@ -14,6 +14,7 @@ mod metals;
 mod panels;
 mod photograph;
 mod prompt;
+mod recovery;
 mod renderer;
 mod run;
 mod spheres;

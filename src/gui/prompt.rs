@@ -6,6 +6,7 @@ use eframe::egui::{Id, Key, Label, Modal, Modifiers, ScrollArea, TextEdit, Ui};
 
 use super::command::{Action, Command};
 use super::file_dialog::Purpose;
+use super::recovery::LeftBehind;
 use super::state::State;
 use super::theme;
 use super::truth::library_colours;
@@ -18,6 +19,8 @@ use crate::sample::{Sample, samples};
 pub(crate) enum Prompt {
     /// What to do with unsaved changes before an action that loses them.
     Unsaved(Action),
+    /// What to do with the unsaved work of a window that is gone.
+    LeftBehind(Box<LeftBehind>),
     /// A path to type.
     Path {
         /// What the path is for.
@@ -74,6 +77,7 @@ impl Prompt {
     pub(crate) fn show(&mut self, ui: &Ui, state: &State) -> Answer {
         let modal = Modal::new(Id::unique("prompt")).show(ui.ctx(), |ui| match self {
             Self::Unsaved(action) => unsaved(ui, state, action),
+            Self::LeftBehind(left) => left_behind(ui, left),
             Self::Path { purpose, text, reason } => path(ui, *purpose, text, *reason),
             Self::Find { among, text, chosen } => find(ui, state, *among, text, chosen),
         });
@@ -98,6 +102,30 @@ fn unsaved(ui: &mut Ui, state: &State, action: &Action) -> Answer {
         } else if discard.clicked() {
             Answer::Discard(action.clone())
         } else if cancel.clicked() {
+            Answer::Cancel
+        } else {
+            Answer::None
+        }
+    })
+    .inner
+}
+
+fn left_behind(ui: &mut Ui, left: &LeftBehind) -> Answer {
+    ui.set_width(theme::DIALOG_WIDTH);
+    ui.heading("Open unsaved work?");
+    let sentence =
+        format!("A window that ended unexpectedly had changes to “{}” that are on no disk.", left.preset.name);
+    ui.add(Label::new(sentence).wrap());
+    ui.add_space(theme::GROUP_GAP);
+    ui.horizontal(|ui| {
+        let open = ui.button("Open it").on_hover_text("Go on with it; it still has to be saved");
+        let delete = ui.button("Delete it").on_hover_text("Delete the copy for good");
+        let later = ui.button("Later").on_hover_text("Ask again when a window is opened");
+        if open.clicked() {
+            Answer::Do(Action::Recover(Box::new(left.clone())))
+        } else if delete.clicked() {
+            Answer::Do(Action::Forget(Box::new(left.clone())))
+        } else if later.clicked() {
             Answer::Cancel
         } else {
             Answer::None

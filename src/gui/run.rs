@@ -4,11 +4,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
-use eframe::egui::ViewportBuilder;
+use eframe::egui::{Ui, ViewportBuilder};
 use thiserror::Error;
 
 use super::app::App;
+use super::recovery;
 use super::renderer::Renderer;
 use super::theme;
 use crate::sample::Sample;
@@ -61,6 +63,7 @@ pub fn run(options: Options) -> Result<(), WindowError> {
 
 /// Runs the window with one renderer. An error after the window has appeared is no reason to try another.
 fn attempt(options: &Options, renderer: eframe::Renderer) -> Result<(), Failure> {
+    let asked = Instant::now();
     let has_started = Arc::new(AtomicBool::new(false));
     let outcome = catch_quietly(&has_started, || {
         let started = has_started.clone();
@@ -68,10 +71,13 @@ fn attempt(options: &Options, renderer: eframe::Renderer) -> Result<(), Failure>
         let create: eframe::AppCreator = Box::new(move |cc| {
             started.store(true, Ordering::Relaxed);
             let mut app = App::new(&cc.egui_ctx, path);
+            if let Some(folder) = recovery::folder() {
+                app.keep_unsaved_work_in(&folder);
+            }
             if let Some(sample) = sample {
                 app.open_sample(&cc.egui_ctx, sample);
             }
-            Ok(Box::new(app))
+            Ok(Box::new(Timed { app, asked, frames: 0 }))
         });
         eframe::run_native("Edgewise", native_options(renderer), create)
     });
@@ -84,6 +90,28 @@ fn attempt(options: &Options, renderer: eframe::Renderer) -> Result<(), Failure>
         Ok(Err(error)) => Err(Failure::OfRenderer(error.to_string())),
         Err(panic) if has_started => Err(Failure::Final(WindowError::Ended(panic))),
         Err(panic) => Err(Failure::Final(WindowError::MissingLibrary(panic))),
+    }
+}
+
+/// The window, with a line in the log of how long it took to appear.
+struct Timed {
+    app: App,
+    asked: Instant,
+    frames: u32,
+}
+
+impl eframe::App for Timed {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        // The second frame begins when the first is on the screen.
+        if self.frames == 1 {
+            log::info!("the first frame was on the screen after {} ms", self.asked.elapsed().as_millis());
+        }
+        self.frames = self.frames.saturating_add(1);
+        self.app.ui(ui, frame);
+    }
+
+    fn on_exit(&mut self, gl: Option<&eframe::glow::Context>) {
+        self.app.on_exit(gl);
     }
 }
 

@@ -49,14 +49,12 @@ impl Preset {
     /// The document as JSON that people can read and edit. Every number reads back exactly.
     ///
     /// `t` is written for readers that want F82-tint; it is derived again on reading. What would
-    /// not read back as this very preset (a NaN somewhere) is an error, never a file.
+    /// not read back as this very preset (a NaN somewhere) is an error, never a file. Whoever saves
+    /// what a person edited says what [`Preset::lost_fields`] names.
     pub fn to_json(&self) -> Result<String, FormatError> {
         self.check_finite()?;
         let mut document = self.known_fields()?;
-        let lost = unknown::put_back(&mut document, &self.unknown_fields);
-        if !lost.is_empty() {
-            log::warn!("{}: fields this version does not know have lost their place: {}", self.name, lost.join(", "));
-        }
+        unknown::put_back(&mut document, &self.unknown_fields);
         let text = json::pretty_json(&Value::Object(document));
         match Self::from_json(&text) {
             Ok(Loaded { preset, .. }) if self.is_same_material(&preset) => Ok(text),
@@ -86,6 +84,12 @@ impl Preset {
         preset.unknown_fields = unknown::left_over(raw, &preset.known_fields()?);
         preset.unknown_fields.shift_remove("t");
         Ok(Loaded { preset, warnings })
+    }
+
+    /// Paths of the fields unknown to this version that a file cannot keep: edits took their place away.
+    pub fn lost_fields(&self) -> Vec<String> {
+        let document = self.known_fields();
+        document.map_or_else(|_| Vec::new(), |mut document| unknown::put_back(&mut document, &self.unknown_fields))
     }
 
     /// Equal but for fields this version does not know, which may have lost their place with an older origin.

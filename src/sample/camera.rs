@@ -129,7 +129,7 @@ mod tests {
         assert!(mean.abs() < 0.015 && (variance - 1.0).abs() < 0.02, "{mean} {variance}");
     }
 
-    /// `photo.md`: with white at .75 a true .55 reads .74–.84 when decoded as sRGB.
+    /// With white at .75 a true .55 reads .74–.84 when decoded as sRGB.
     #[test]
     fn the_tone_curve_lifts_as_cameras_do() {
         use crate::color::srgb_decode;

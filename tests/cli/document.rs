@@ -2,10 +2,8 @@
 
 use std::fs;
 
-use edgewise::fresnel::{hoffman, schlick};
-use edgewise::metal::metals;
-use edgewise::sample::{sample, samples};
-
+use crate::matching::sample_file;
+use crate::program::SUBCOMMANDS;
 use crate::run::{edgewise, json};
 
 const CLI_DOCUMENT: &str = include_str!("../../docs/cli.md");

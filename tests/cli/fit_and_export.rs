@@ -3,8 +3,8 @@
 use std::fs;
 
 use edgewise::color::RgbSpace;
-use edgewise::fresnel::{hoffman, schlick, t_from_r_h};
-use edgewise::metal::{metal_by_name, metals};
+use edgewise::fresnel::t_from_r_h;
+use edgewise::metal::metal_by_name;
 use edgewise::preset::Preset;
 use serde_json::{Value, json};
 

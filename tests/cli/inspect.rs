@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use edgewise::color::Rgb;
 use serde_json::{Value, json};
 
 use crate::run::{edgewise, json, refusal, stderr};

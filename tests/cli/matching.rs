@@ -12,14 +12,14 @@ use serde_json::{Value, json};
 use crate::run::{edgewise, json, quiet, refusal, stderr};
 
 /// The file of a built-in sample, in a folder.
-fn sample_file(folder: &Path, id: &str) -> String {
+pub fn sample_file(folder: &Path, id: &str) -> String {
     let sample = sample(id).unwrap();
     let path = folder.join(&sample.facts.file);
     fs::write(&path, sample.bytes).unwrap();
     path.to_str().unwrap().to_owned()
 }
 
-const GOLD_MARKS: [&str; 4] = ["--circle", "206,204,132", "--card", "396,186,68,96@0.9"];
+pub const GOLD_MARKS: [&str; 4] = ["--circle", "206,204,132", "--card", "396,186,68,96@0.9"];
 
 fn triple(value: &Value) -> Rgb {
     serde_json::from_value(value.clone()).unwrap()

@@ -4,7 +4,6 @@ use std::fs;
 use std::path::Path;
 
 use edgewise::color::{Rgb, RgbSpace};
-use edgewise::fresnel::schlick;
 use edgewise::metal::metal_by_name;
 use edgewise::preset::Preset;
 use serde_json::{Value, json};

@@ -3,12 +3,9 @@
 use std::path::Path;
 use std::process::Command;
 
-use edgewise::metal::metals;
-use edgewise::sample::samples;
-
 use crate::run::{quiet, refusal, stderr};
 
-const SUBCOMMANDS: [&str; 12] = [
+pub const SUBCOMMANDS: [&str; 12] = [
     "match", "inspect", "samples", "metals", "reflect", "picture", "fit", "convert", "presets", "import", "export",
     "study",
 ];

@@ -81,8 +81,12 @@ pub fn exif(orientation: Option<u16>, color_space: Option<u16>, interoperability
 pub fn jpeg(size: [u32; 2], data: &[u8], profile: Option<&[u8]>, exif: Option<&[u8]>) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, 100);
-    profile.map(|profile| encoder.set_icc_profile(profile.to_vec()).unwrap());
-    exif.map(|exif| encoder.set_exif_metadata(exif.to_vec()).unwrap());
+    if let Some(profile) = profile {
+        encoder.set_icc_profile(profile.to_vec()).unwrap();
+    }
+    if let Some(exif) = exif {
+        encoder.set_exif_metadata(exif.to_vec()).unwrap();
+    }
     encoder.write_image(data, size[0], size[1], ExtendedColorType::Rgb8).unwrap();
     bytes
 }
@@ -121,8 +125,12 @@ pub fn webp(
 ) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut bytes);
-    profile.map(|profile| encoder.set_icc_profile(profile.to_vec()).unwrap());
-    exif.map(|exif| encoder.set_exif_metadata(exif.to_vec()).unwrap());
+    if let Some(profile) = profile {
+        encoder.set_icc_profile(profile.to_vec()).unwrap();
+    }
+    if let Some(exif) = exif {
+        encoder.set_exif_metadata(exif.to_vec()).unwrap();
+    }
     encoder.write_image(data, size[0], size[1], color).unwrap();
     bytes
 }

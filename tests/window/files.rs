@@ -3,6 +3,7 @@
 use std::fs;
 
 use edgewise::preset::Preset;
+use edgewise::sample::samples;
 use eframe::egui::{Key, Modifiers};
 
 use crate::drive::Window;
@@ -24,6 +25,23 @@ fn what_is_saved_opens_the_same() {
     assert!(window.shows("mine é.json, unsaved changes"));
     window.press(Modifiers::COMMAND, Key::S);
     assert_eq!(Preset::load(&path).unwrap().preset, *window.preset(), "saved to the file it has");
+}
+
+#[test]
+fn fields_that_a_match_leaves_no_place_for_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("studio.json");
+    let text = Preset::new_authored().to_json().unwrap();
+    fs::write(&path, text.replace("\"kind\": \"authored\"", "\"kind\": \"authored\", \"artist\": \"M\"")).unwrap();
+    let mut window = Window::open(Some(path.clone()));
+    window.enter("Name", "Matched");
+    window.press(Modifiers::COMMAND, Key::S);
+    assert_eq!(window.notices(), [""; 0]);
+    assert!(fs::read_to_string(&path).unwrap().contains("\"artist\": \"M\""));
+    window.click(&samples()[0].facts.title);
+    window.press(Modifiers::COMMAND, Key::S);
+    let notices = window.notices();
+    assert!(notices.len() == 1 && notices[0].contains("left out: origin"), "{notices:?}");
 }
 
 #[test]

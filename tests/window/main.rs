@@ -6,3 +6,4 @@ mod files;
 mod metals;
 mod photograph;
 mod pictures;
+mod recovery;

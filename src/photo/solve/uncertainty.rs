@@ -1,4 +1,4 @@
-//! How well r and h are known: the chain of `photo.md`, each source on its own.
+//! How well r and h are known: each source on its own.
 
 use super::cells::{Cell, gather, noise};
 use super::fit::{BallFit, Unknowns, least_squares};
