@@ -190,7 +190,7 @@ mod tests {
         for space_light in [Light::SoftBoxes, Light::CitySquare] {
             let picture = SphereView::new(201, space_light, 0.0, SPACE).render(&mirror);
             let (x, y) = ((60.5 - 100.5) / 99.5, (100.5 - 60.5) / 99.5_f64);
-            let z = (1.0 - x * x - y * y as f64).sqrt();
+            let z = (1.0 - x * x - y * y).sqrt();
             let expected = space_light.environment().radiance([2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0]);
             assert!(picture.rgb(60, 60).max_abs_difference(Rgb(expected.map(f64::from))) < 1e-5);
         }
