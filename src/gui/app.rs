@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, ThemePreference, Ui, ViewportCommand, gui_zoom};
 
 use super::command::{Action, Command};
+use super::demonstrations::Piece;
 use super::document::Document;
 use super::file_dialog::{FileDialog, Outcome, Purpose};
 use super::history::STABLE_SECONDS;
@@ -102,6 +103,7 @@ impl App {
             || is_photograph_busy
             || self.state.spheres.is_busy()
             || self.state.metals.is_busy()
+            || self.state.demonstrations.is_busy()
     }
 
     fn perform(&mut self, ctx: &Context, action: Action) {
@@ -142,6 +144,17 @@ impl App {
                 self.warn_of(&left.copy, outcome);
             }
             Action::Forget(left) => self.warn_of(&left.copy, left.forget()),
+            Action::FindMaterial(slot) => self.prompt = Some(Prompt::find(Among::Materials(slot))),
+            Action::Demonstrate(slot, choice) => self.state.demonstrations.choose(slot, choice),
+            Action::SavePiece(piece) => self.ask_system(ctx, Purpose::SavePiece(piece)),
+            Action::SavePieceTo(piece, path) => self.save_piece(ctx, piece, path),
+        }
+    }
+
+    fn save_piece(&mut self, ctx: &Context, piece: Piece, path: PathBuf) {
+        let exhibit = self.state.demonstrations.exhibit(self.state.open());
+        if let Err(error) = self.state.demonstrations.export(ctx, exhibit, piece, path) {
+            self.state.notify(NoticeKind::Error, format!("no thread could be started: {error}"));
         }
     }
 
@@ -174,6 +187,7 @@ impl App {
             Command::CopyH => ctx.copy_text(linear_words(self.state.document.preset.h)),
             Command::ShowAuthor => self.state.page = Page::Author,
             Command::ShowMetals => self.state.page = Page::Metals,
+            Command::ShowDemonstrations => self.state.page = Page::Demonstrations,
             Command::Compare => self.prompt = Some(Prompt::find(Among::MetalsToCompare)),
             Command::CompareNone => self.state.view.metal = None,
             Command::ToggleGrazing => self.state.view.is_grazing_only ^= true,
@@ -196,17 +210,25 @@ impl App {
     }
 
     fn ask_system(&mut self, ctx: &Context, purpose: Purpose) {
-        let file_name = format!("{}.json", self.state.document.preset.file_stem());
+        let file_name = self.file_name(purpose);
         match FileDialog::open(ctx, purpose, &file_name) {
             Ok(dialog) => self.dialog = Some(dialog),
             Err(_) => self.ask_path(purpose, Some(NO_DIALOG)),
         }
     }
 
+    /// The name a new file would have.
+    fn file_name(&self, purpose: Purpose) -> String {
+        match purpose {
+            Purpose::SavePiece(piece) => self.state.demonstrations.exhibit(self.state.open()).file_name(piece),
+            Purpose::Open | Purpose::Save => format!("{}.json", self.state.document.preset.file_stem()),
+        }
+    }
+
     fn ask_path(&mut self, purpose: Purpose, reason: Option<&'static str>) {
         let text = match (purpose, self.state.document.file()) {
             (Purpose::Save, Some(path)) => path.display().to_string(),
-            (Purpose::Save, None) => format!("{}.json", self.state.document.preset.file_stem()),
+            (Purpose::Save | Purpose::SavePiece(_), _) => self.file_name(purpose),
             (Purpose::Open, _) => String::new(),
         };
         self.prompt = Some(Prompt::Path { purpose, text, reason });
@@ -281,6 +303,9 @@ impl App {
         }
         self.poll_reading();
         self.poll_adding();
+        for failure in self.state.demonstrations.poll_exports() {
+            self.state.notify(NoticeKind::Error, failure);
+        }
         if let Some(job) = self.saving.take() {
             match job.poll() {
                 Poll::Working => self.saving = Some(job),
@@ -340,8 +365,11 @@ impl App {
         };
         self.dialog = None;
         match outcome {
-            Outcome::Picked(path) if purpose == Purpose::Open => self.perform(ctx, Action::Load(path)),
-            Outcome::Picked(path) => self.save(ctx, path),
+            Outcome::Picked(path) => match purpose {
+                Purpose::Open => self.perform(ctx, Action::Load(path)),
+                Purpose::Save => self.save(ctx, path),
+                Purpose::SavePiece(piece) => self.save_piece(ctx, piece, path),
+            },
             Outcome::Cancelled => self.after_saving = None,
             Outcome::NoService => self.ask_path(purpose, Some(NO_DIALOG)),
         }
@@ -361,6 +389,7 @@ impl App {
         match self.state.page {
             Page::Author => self.author_page(ui, side, actions),
             Page::Metals => panels::metals::show(ui, &mut self.state, actions),
+            Page::Demonstrations => panels::demonstrations::show(ui, &mut self.state, actions),
         }
     }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use eframe::egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Ui};
 
+use super::demonstrations::{Choice, Piece, Slot};
 use super::recovery::LeftBehind;
 use super::state::{Page, State};
 use crate::metal::Metal;
@@ -42,6 +43,8 @@ pub enum Command {
     ShowAuthor,
     /// Shows the page of metals.
     ShowMetals,
+    /// Shows the page of demonstrations.
+    ShowDemonstrations,
     /// Chooses the measured metal to compare with.
     Compare,
     /// Compares with nothing.
@@ -65,7 +68,7 @@ type Menu = (&'static str, &'static [&'static [Command]]);
 
 impl Command {
     /// Every command, in menu order.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 24] = [
         Self::New,
         Self::Open,
         Self::OpenPath,
@@ -81,6 +84,7 @@ impl Command {
         Self::CopyH,
         Self::ShowAuthor,
         Self::ShowMetals,
+        Self::ShowDemonstrations,
         Self::Compare,
         Self::CompareNone,
         Self::ToggleGrazing,
@@ -106,7 +110,7 @@ impl Command {
         (
             "View",
             &[
-                &[Self::ShowAuthor, Self::ShowMetals],
+                &[Self::ShowAuthor, Self::ShowMetals, Self::ShowDemonstrations],
                 &[Self::Compare, Self::CompareNone],
                 &[Self::ToggleGrazing],
                 &[Self::ToggleTheme],
@@ -133,6 +137,7 @@ impl Command {
             Self::CopyH => "Copy h",
             Self::ShowAuthor => "Author page",
             Self::ShowMetals => "Metals page",
+            Self::ShowDemonstrations => "Demonstrations page",
             Self::Compare => "Compare with metal…",
             Self::CompareNone => "Compare with nothing",
             Self::ToggleGrazing => "Show 60–90° only",
@@ -162,6 +167,7 @@ impl Command {
             Self::CopyH => "Copy the edge colour as linear numbers in the preset's space",
             Self::ShowAuthor => "Author a preset, by hand or from a photograph",
             Self::ShowMetals => "Look at measured metals and how far models are from them",
+            Self::ShowDemonstrations => "See why r and h, on your own preset or metal",
             Self::Compare => "Draw the measured truth of a metal beneath the preset",
             Self::CompareNone => "Draw the preset alone",
             Self::ToggleGrazing => "Spread the angles where metals differ most over the whole plot",
@@ -191,6 +197,7 @@ impl Command {
             Self::CopyH => (COMMAND_SHIFT, Key::H),
             Self::ShowAuthor => (Modifiers::COMMAND, Key::Num1),
             Self::ShowMetals => (Modifiers::COMMAND, Key::Num2),
+            Self::ShowDemonstrations => (Modifiers::COMMAND, Key::Num3),
             Self::Compare => (Modifiers::COMMAND, Key::M),
             Self::ToggleGrazing => (Modifiers::COMMAND, Key::G),
             Self::ToggleTheme => (Modifiers::COMMAND, Key::L),
@@ -231,6 +238,7 @@ impl Command {
         match page {
             Page::Author => Self::ShowAuthor,
             Page::Metals => Self::ShowMetals,
+            Page::Demonstrations => Self::ShowDemonstrations,
         }
     }
 
@@ -269,6 +277,14 @@ pub(crate) enum Action {
     Recover(Box<LeftBehind>),
     /// Deletes what an earlier window left behind.
     Forget(Box<LeftBehind>),
+    /// Finds a material for a demonstration.
+    FindMaterial(Slot),
+    /// Makes a demonstration about a material.
+    Demonstrate(Slot, Choice),
+    /// Asks where to write a piece of the demonstration on show.
+    SavePiece(Piece),
+    /// Writes it.
+    SavePieceTo(Piece, PathBuf),
 }
 
 impl From<Command> for Action {

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use eframe::egui::Context;
 
+use super::demonstrations::Piece;
 use super::job::{Job, Poll};
 
 /// What the file is for.
@@ -17,6 +18,8 @@ pub(crate) enum Purpose {
     Open,
     /// Where to write the preset.
     Save,
+    /// Where to write a piece of a demonstration.
+    SavePiece(Piece),
 }
 
 /// What came of a dialog.
@@ -43,12 +46,8 @@ impl FileDialog {
         // Built here: macOS wants the dialog made on the main thread and awaited elsewhere.
         let choice: Choice = match purpose {
             Purpose::Open => Box::pin(dialog().pick_file()),
-            Purpose::Save => Box::pin(
-                rfd::AsyncFileDialog::new()
-                    .add_filter("Edgewise preset", &["json"])
-                    .set_file_name(file_name)
-                    .save_file(),
-            ),
+            Purpose::Save => save_dialog("Edgewise preset", "json", file_name),
+            Purpose::SavePiece(piece) => save_dialog("Demonstration", piece.extension(), file_name),
         };
         let job = Job::start(ctx, "file dialog", purpose, move |_, _| {
             let start = Instant::now();
@@ -77,6 +76,11 @@ impl FileDialog {
 }
 
 type Choice = std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+
+fn save_dialog(what: &str, extension: &str, file_name: &str) -> Choice {
+    let dialog = rfd::AsyncFileDialog::new().add_filter(what, &[extension]).set_file_name(file_name);
+    Box::pin(dialog.save_file())
+}
 
 fn dialog() -> rfd::AsyncFileDialog {
     rfd::AsyncFileDialog::new()

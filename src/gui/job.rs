@@ -129,6 +129,11 @@ impl<Input: Clone + PartialEq + Send + 'static, Output: Send + 'static> Follower
         self.job.is_some()
     }
 
+    /// How much of the running job is done, 0 to 1.
+    pub(crate) fn progress(&self) -> Option<f32> {
+        self.job.as_ref().map(Job::progress)
+    }
+
     /// Sees to it that `work` is done for `input`; gives a result when one has come, with the input it is of.
     pub(crate) fn follow(
         &mut self,

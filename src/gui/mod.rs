@@ -6,6 +6,7 @@
 
 mod app;
 mod command;
+mod demonstrations;
 mod document;
 mod file_dialog;
 mod history;

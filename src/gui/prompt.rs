@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use eframe::egui::{Id, Key, Label, Modal, Modifiers, ScrollArea, TextEdit, Ui};
 
 use super::command::{Action, Command};
+use super::demonstrations::{Choice, Slot};
 use super::file_dialog::Purpose;
 use super::recovery::LeftBehind;
 use super::state::State;
@@ -52,6 +53,8 @@ pub(crate) enum Among {
     MetalsToStartFrom,
     /// Metals to compare with.
     MetalsToCompare,
+    /// Materials for a demonstration.
+    Materials(Slot),
 }
 
 /// What a person answered.
@@ -139,6 +142,7 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
     let (title, verb) = match purpose {
         Purpose::Open => ("Open a preset or a photograph", "Open"),
         Purpose::Save => ("Save the preset", "Save"),
+        Purpose::SavePiece(_) => ("Export the demonstration", "Export"),
     };
     ui.heading(title);
     if let Some(reason) = reason {
@@ -159,6 +163,7 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
             return Answer::Do(match purpose {
                 Purpose::Open => Action::Load(path),
                 Purpose::Save => Action::SaveTo(path),
+                Purpose::SavePiece(piece) => Action::SavePieceTo(piece, path),
             });
         }
         if ui.button("Cancel").clicked() { Answer::Cancel } else { Answer::None }
@@ -173,6 +178,7 @@ fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mu
         Among::Samples => "Open a sample photograph",
         Among::MetalsToStartFrom => "Start from a metal",
         Among::MetalsToCompare => "Compare with a metal",
+        Among::Materials(_) => "Choose a material",
     };
     let step = ui.input_mut(|input| {
         let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
@@ -185,7 +191,7 @@ fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mu
     if response.changed() {
         *chosen = 0;
     }
-    let found = found(among, text);
+    let found = found(state, among, text);
     *chosen = chosen.saturating_add_signed(step as isize).min(found.len().saturating_sub(1));
     let mut answer = Answer::None;
     ScrollArea::vertical().max_height(theme::FINDER_HEIGHT).auto_shrink([false, true]).show(ui, |ui| {
@@ -210,6 +216,8 @@ enum Entry {
     Sample(&'static Sample),
     /// A metal, by its place in the library.
     Metal(usize),
+    /// A material of a demonstration that the library does not have.
+    Material(Slot, Choice),
 }
 
 impl Entry {
@@ -218,7 +226,9 @@ impl Entry {
             (Self::Command(command), _) => Action::Run(*command),
             (Self::Sample(sample), _) => Action::OpenSample(sample),
             (Self::Metal(index), Among::MetalsToCompare) => Action::CompareWith(&metals()[*index]),
+            (Self::Metal(index), Among::Materials(slot)) => Action::Demonstrate(slot, Choice::Metal(&metals()[*index])),
             (Self::Metal(index), _) => Action::StartFrom(&metals()[*index]),
+            (Self::Material(slot, choice), _) => Action::Demonstrate(*slot, *choice),
         }
     }
 
@@ -234,6 +244,11 @@ impl Entry {
                 let button = row(sample.facts.title.clone(), String::new());
                 let button = button.min_size([ui.available_width(), 0.0].into());
                 ui.add(button).on_hover_text(&sample.facts.description)
+            }
+            Self::Material(_, choice) => {
+                let button = row(choice.label(state), String::new());
+                let button = button.min_size([ui.available_width(), 0.0].into());
+                ui.add(button).on_hover_text(choice.tooltip())
             }
             Self::Metal(index) => {
                 let space = state.document.space();
@@ -254,7 +269,7 @@ impl Entry {
 }
 
 /// What matches the typed words: names that begin with them first.
-fn found(among: Among, text: &str) -> Vec<Entry> {
+fn found(state: &State, among: Among, text: &str) -> Vec<Entry> {
     let typed = text.trim().to_lowercase();
     if among == Among::Commands {
         let matching = Command::ALL.into_iter().filter(|command| command.label().to_lowercase().contains(&typed));
@@ -268,5 +283,17 @@ fn found(among: Among, text: &str) -> Vec<Entry> {
     let begins = |metal: &Metal| metal.name.to_lowercase().starts_with(&typed) || metal.symbol.to_lowercase() == typed;
     let mut found: Vec<usize> = (0..metals().len()).filter(|&index| words(&metals()[index]).contains(&typed)).collect();
     found.sort_by_key(|&index| !begins(&metals()[index]));
-    found.into_iter().map(Entry::Metal).collect()
+    let metals = found.into_iter().map(Entry::Metal);
+    match among {
+        Among::Materials(slot) => others(state, slot, &typed).into_iter().chain(metals).collect(),
+        _ => metals.collect(),
+    }
+}
+
+/// The materials of a demonstration that are no metals of the library, and match what is typed.
+fn others(state: &State, slot: Slot, typed: &str) -> Vec<Entry> {
+    let own = state.metals.own.iter().map(|&metal| Choice::Metal(metal));
+    let choices = [Choice::Preset, Choice::Dielectric, Choice::Example].into_iter().chain(own);
+    let matches = |choice: &Choice| choice.label(state).to_lowercase().contains(typed);
+    choices.filter(matches).map(|choice| Entry::Material(slot, choice)).collect()
 }

@@ -1,5 +1,6 @@
 //! Everything the window shows, and nothing of how it shows it.
 
+use super::demonstrations::{DemonstrationsPage, Open};
 use super::document::Document;
 use super::metals::MetalsPage;
 use super::photograph::Session;
@@ -19,6 +20,7 @@ pub struct State {
     pub page: Page,
     pub(crate) view: View,
     pub(crate) metals: MetalsPage,
+    pub(crate) demonstrations: DemonstrationsPage,
     pub(crate) photograph: Option<Session>,
     /// What is typed in the field for the path of a photograph.
     pub(crate) path: String,
@@ -34,6 +36,7 @@ impl State {
             page: Page::default(),
             view: View::default(),
             metals: MetalsPage::default(),
+            demonstrations: DemonstrationsPage::default(),
             photograph: None,
             path: String::new(),
             truth: TruthCurves::default(),
@@ -48,6 +51,11 @@ impl State {
         if !self.notices.contains(&notice) {
             self.notices.push(notice);
         }
+    }
+
+    /// What the demonstrations start from.
+    pub(crate) fn open(&self) -> Open<'_> {
+        Open { preset: &self.document.preset, metal: self.view.metal }
     }
 
     /// The marks of the open photograph.
@@ -69,17 +77,20 @@ pub enum Page {
     Author,
     /// Measured metals and how far models are from them.
     Metals,
+    /// Why r and h: the paper's argument on a person's own metal.
+    Demonstrations,
 }
 
 impl Page {
     /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 2] = [Self::Author, Self::Metals];
+    pub const ALL: [Self; 3] = [Self::Author, Self::Metals, Self::Demonstrations];
 
     /// The name on its tab.
     pub const fn label(self) -> &'static str {
         match self {
             Self::Author => "Author",
             Self::Metals => "Metals",
+            Self::Demonstrations => "Demonstrations",
         }
     }
 }

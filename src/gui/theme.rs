@@ -91,6 +91,31 @@ pub(crate) const PHOTO_HEIGHT: f32 = 262.0;
 /// Least and greatest width of the panel of the photograph.
 pub(crate) const PHOTO_WIDTHS: std::ops::RangeInclusive<f32> = 320.0..=640.0;
 
+/// Room left and right of the name of a page.
+pub(crate) const TAB_PADDING: f32 = 10.0;
+/// Width of the list of demonstrations and what they are about.
+pub(crate) const DEMONSTRATIONS_WIDTH: f32 = 276.0;
+/// Room for names left of the bands of a demonstration.
+pub(crate) const BAND_NAMES: f32 = 64.0;
+/// Room for numbers right of them.
+pub(crate) const BAND_NUMBERS: f32 = 136.0;
+/// Height of a band of colours.
+pub(crate) const BAND_HEIGHT: f32 = 22.0;
+/// Least height of a chart of a demonstration.
+pub(crate) const LEAST_CHART: f32 = 96.0;
+/// Height of the names under an axis.
+pub(crate) const TICKS: f32 = 20.0;
+/// Largest side of a painted sphere.
+pub(crate) const PAINTED_SPHERE: f32 = 138.0;
+/// Radius of a dot that stands for a measured metal.
+pub(crate) const DOT: f32 = 3.0;
+/// How near the pointer must come to a dot to name it.
+pub(crate) const DOT_REACH: f32 = 7.0;
+/// Half the width of a cross that stands for a channel of the preset.
+pub(crate) const CROSS: f32 = 9.0;
+/// Width of the fields beside the square of r and h.
+pub(crate) const READ_OUT_WIDTH: f32 = 316.0;
+
 /// The colours that egui's own visuals have no place for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palette {
@@ -114,6 +139,8 @@ pub(crate) struct Palette {
     pub error: Color32,
     /// Something that is as it should be.
     pub good: Color32,
+    /// A scale of errors: none, some, much.
+    pub heat: [Color32; 3],
 }
 
 const DARK: Palette = Palette {
@@ -140,6 +167,7 @@ const DARK: Palette = Palette {
     warning: Color32::from_rgb(0xe3, 0xb5, 0x5c),
     error: Color32::from_rgb(0xec, 0x8c, 0x7e),
     good: Color32::from_rgb(0x8f, 0xbf, 0x95),
+    heat: [Color32::from_gray(0x1c), Color32::from_rgb(0x8a, 0x5a, 0x14), Color32::from_rgb(0xf0, 0x5d, 0x48)],
 };
 
 const LIGHT: Palette = Palette {
@@ -166,6 +194,7 @@ const LIGHT: Palette = Palette {
     warning: Color32::from_rgb(0x87, 0x57, 0x00),
     error: Color32::from_rgb(0xa3, 0x2e, 0x1c),
     good: Color32::from_rgb(0x2c, 0x6b, 0x38),
+    heat: [Color32::from_gray(0xf1), Color32::from_rgb(0xf7, 0xc9, 0x6b), Color32::from_rgb(0xb8, 0x2a, 0x22)],
 };
 
 /// Neutral greys of one theme, from the ground up.
@@ -215,6 +244,13 @@ impl Palette {
     /// The palette of the theme that is being drawn.
     pub(crate) fn of(ui: &Ui) -> Self {
         if ui.visuals().dark_mode { DARK } else { LIGHT }
+    }
+
+    /// The colour of a share 0–1 of a scale of errors.
+    pub(crate) fn heat(&self, share: f64) -> Color32 {
+        let position = share.clamp(0.0, 1.0) as f32 * 2.0;
+        let index = usize::from(position >= 1.0);
+        self.heat[index].lerp_to_gamma(self.heat[index + 1], position - index as f32)
     }
 }
 
@@ -349,6 +385,11 @@ pub(crate) fn title(text: impl Into<String>) -> RichText {
 /// Words that explain, quieter than the rest.
 pub(crate) fn hint(text: impl Into<String>) -> RichText {
     RichText::new(text).small().weak()
+}
+
+/// The sentence that says what is seen.
+pub(crate) fn sentence(text: impl Into<String>) -> RichText {
+    RichText::new(text).size(14.0)
 }
 
 /// Numbers that must stand in columns.

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::accuracy::Meter;
 use super::conversion::delta_e_of_curves;
+use super::distribution::told;
 use super::parameters::Parameters;
 use super::{Contestants, Distribution, StudyError, Subject};
 use crate::color::{Rgb, RgbSpace};
@@ -294,6 +295,12 @@ pub fn blend_spread(rows: &[BlendPair]) -> [Distribution; 4] {
             .collect();
         Distribution::of(own.iter().map(|(name, value)| (name.as_str(), *value)))
     })
+}
+
+/// What is seen over all pairs, with the numbers in it.
+pub fn blend_pairs_summary(rows: &[BlendPair]) -> String {
+    let spread = blend_spread(rows);
+    format!("Mean ΔE over {} pairs, half and half: {}.", spread[0].count, told(&spread))
 }
 
 #[cfg(test)]

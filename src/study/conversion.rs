@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::accuracy::Meter;
+use super::distribution::told;
 use super::parameters::{Pair, Parameters, transformed};
 use super::{Contestants, Distribution, StudyError, Subject};
 use crate::color::{Lab, Rgb, RgbSpace, delta_e_2000};
@@ -276,6 +277,18 @@ pub fn conversion_spread(rows: &[ConversionSummary]) -> [Distribution; 4] {
         let own = rows.iter().filter(|row| row.parameters == parameters);
         Distribution::of(own.map(|row| (row.material.as_str(), row.mean_delta_e)))
     })
+}
+
+/// What is seen over all materials, with the numbers in it.
+pub fn conversions_summary(rows: &[ConversionSummary], options: &ConversionOptions) -> String {
+    let spread = conversion_spread(rows);
+    format!(
+        "Mean ΔE over {} materials from {} to {}: {}.",
+        spread[0].count,
+        options.from.label(),
+        options.to.label(),
+        told(&spread)
+    )
 }
 
 #[cfg(test)]

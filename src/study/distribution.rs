@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::parameters::Parameters;
+
 /// How a measure is spread over materials. The field names are stable.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Distribution {
@@ -41,6 +43,21 @@ impl Distribution {
         }
     }
 }
+
+/// The spreads of the four descriptions in words, in the order of [`Parameters::ALL`]; what is exact has no worst.
+pub(super) fn told(spreads: &[Distribution; 4]) -> String {
+    let of = |parameters: Parameters| {
+        let spread = &spreads[parameters as usize];
+        if spread.max < EXACT {
+            return format!("{} exact", parameters.label());
+        }
+        format!("{} {:.2} (worst {:.1}, {})", parameters.label(), spread.mean, spread.max, spread.worst)
+    };
+    Parameters::ALL.map(of).join("; ")
+}
+
+/// ΔE far below anything visible and far above rounding.
+const EXACT: f64 = 1e-6;
 
 /// Linear between order statistics (Hyndman & Fan 1996, definition 7); NaN of nothing.
 fn quantile(sorted: &[f64], share: f64) -> f64 {

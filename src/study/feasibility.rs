@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::color::RgbSpace;
 use crate::fresnel::{feasible_h, reachable_h};
 use crate::metal::Metal;
+use crate::preset::Preset;
 
 /// Both regions over r. The field names are stable.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -24,9 +25,9 @@ pub struct BoundaryRow {
 /// One channel of one metal. The field names are stable.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MetalPoint {
-    /// Identifier of the data set.
+    /// Identifier of the data set; empty for a preset.
     pub metal: String,
-    /// The metal's name.
+    /// The name of the metal or the preset.
     pub name: String,
     /// The space of r and h.
     pub space: RgbSpace,
@@ -74,11 +75,28 @@ pub fn metal_points(metals: &[&Metal], space: RgbSpace) -> Vec<MetalPoint> {
             channel: CHANNELS[channel],
             r: r[channel],
             h: h[channel],
-            is_feasible: feasible_h(r[channel]).is_some_and(|range| range.contains(&h[channel])),
+            is_feasible: is_feasible(r[channel], h[channel]),
         };
         [0, 1, 2].map(point)
     };
     metals.iter().flat_map(of_metal).collect()
+}
+
+/// Each channel of a preset as a point of the square, in the preset's own space.
+pub fn preset_points(preset: &Preset) -> [MetalPoint; 3] {
+    [0, 1, 2].map(|channel| MetalPoint {
+        metal: String::new(),
+        name: preset.name.clone(),
+        space: preset.space,
+        channel: CHANNELS[channel],
+        r: preset.r[channel],
+        h: preset.h[channel],
+        is_feasible: is_feasible(preset.r[channel], preset.h[channel]),
+    })
+}
+
+fn is_feasible(r: f64, h: f64) -> bool {
+    feasible_h(r).is_some_and(|range| range.contains(&h))
 }
 
 /// What is seen, with the numbers in it.

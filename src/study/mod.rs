@@ -35,14 +35,14 @@ mod uniformity;
 
 pub use accuracy::{AccuracyRow, accuracy, no_progress};
 pub use blending::{
-    BLEND_STEPS, Blend, BlendPair, BlendRow, BlendSummary, BlendedParameters, WorstBlend, blend_matrix, blend_spread,
-    blend_weights, blending,
+    BLEND_STEPS, Blend, BlendPair, BlendRow, BlendSummary, BlendedParameters, WorstBlend, blend_matrix,
+    blend_pairs_summary, blend_spread, blend_weights, blending,
 };
 pub use candidate::{Candidate, CandidateError};
 pub use claims::{Claim, Verdict};
 pub use conversion::{
     ColourConversion, ConversionOptions, ConversionRow, ConversionSummary, ConvertedParameters, conversion,
-    conversion_of, conversion_spread, conversions,
+    conversion_of, conversion_spread, conversions, conversions_summary,
 };
 pub use csv_text::rows_to_csv;
 pub use decoupling::{
@@ -51,7 +51,9 @@ pub use decoupling::{
 pub use distribution::Distribution;
 pub use evidence::Evidence;
 pub use evidence_markdown::evidence_markdown;
-pub use feasibility::{BoundaryRow, MetalPoint, feasibility_boundary, feasibility_summary, metal_points};
+pub use feasibility::{
+    BoundaryRow, MetalPoint, feasibility_boundary, feasibility_summary, metal_points, preset_points,
+};
 pub use painted::{Painted, colour_at, painted_sphere};
 pub use parameters::{Pair, Parameters};
 pub use quantisation::{

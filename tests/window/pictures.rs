@@ -50,3 +50,11 @@ fn the_page_of_metals() {
     window.press(Modifiers::COMMAND, Key::Num2);
     window.picture("metals");
 }
+
+#[test]
+fn the_page_of_demonstrations() {
+    let mut window = Window::for_picture(Theme::Dark);
+    window.press(Modifiers::COMMAND, Key::Num3);
+    window.click("Blending: Can a painted mask be filtered?");
+    window.picture("demonstrations");
+}

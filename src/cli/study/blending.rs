@@ -5,11 +5,11 @@ use clap::Args;
 use super::super::output::Output;
 use super::material::{MATERIAL_HELP, Material};
 use super::named_or_preferred;
-use super::shown::{METHOD_HELP, Shown, index_method, told, with_bar};
+use super::shown::{METHOD_HELP, Shown, index_method, with_bar};
 use crate::color::RgbSpace;
 use crate::figure::{BlendFigure, blend_matrix_of_two};
 use crate::fit::Method;
-use crate::study::{BlendPair, Contestants, Parameters, blend_matrix, blend_spread, blending};
+use crate::study::{Contestants, Parameters, blend_matrix, blend_pairs_summary, blending};
 
 /// Arguments of `edgewise study blending`.
 #[derive(Debug, Args)]
@@ -40,7 +40,7 @@ impl BlendingCommand {
             let metals = named_or_preferred(&[])?;
             let rows = with_bar(|progress| blend_matrix(&metals, self.space, self.method, progress))?;
             self.shown.draw(|| Box::new(blend_matrix_of_two(&rows, Parameters::G, Parameters::Nk)))?;
-            return self.shown.output(&rows, &sentence_of_all(&rows), vec![]);
+            return self.shown.output(&rows, &blend_pairs_summary(&rows), vec![]);
         }
         let mut warnings = Vec::new();
         let mut contestants = |word: &str| -> anyhow::Result<Contestants> {
@@ -57,10 +57,4 @@ impl BlendingCommand {
         }
         self.shown.output(&blend.summaries(), &blend.summary(), warnings)
     }
-}
-
-fn sentence_of_all(rows: &[BlendPair]) -> String {
-    let spread = blend_spread(rows);
-    let of = |parameters: Parameters| told(parameters, &spread[parameters as usize]);
-    format!("Mean ΔE over {} pairs, half and half: {}.", spread[0].count, Parameters::ALL.map(of).join("; "))
 }

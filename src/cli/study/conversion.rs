@@ -5,11 +5,11 @@ use clap::Args;
 use super::super::output::Output;
 use super::material::{MATERIAL_HELP, Material};
 use super::named_or_preferred;
-use super::shown::{METHOD_HELP, Shown, index_method, told, with_bar};
+use super::shown::{METHOD_HELP, Shown, index_method, with_bar};
 use crate::color::RgbSpace;
 use crate::figure::{ConversionFigure, conversion_distribution};
 use crate::fit::Method;
-use crate::study::{ConversionOptions, ConversionSummary, Parameters, conversion, conversion_spread, conversions};
+use crate::study::{ConversionOptions, conversion, conversions, conversions_summary};
 
 /// Arguments of `edgewise study conversion`.
 #[derive(Debug, Args)]
@@ -41,7 +41,7 @@ impl ConversionCommand {
             let metals = named_or_preferred(&[])?;
             let rows = with_bar(|progress| conversions(&metals, &options, progress))?;
             self.shown.draw(|| Box::new(conversion_distribution(&rows)))?;
-            return self.shown.output(&rows, &sentence_of_all(&rows, &options), vec![]);
+            return self.shown.output(&rows, &conversions_summary(&rows, &options), vec![]);
         }
         let mut warnings = Vec::new();
         let material = Material::read(&self.material, self.from, &mut warnings)?;
@@ -53,16 +53,4 @@ impl ConversionCommand {
         }
         self.shown.output(&study.summaries(), &study.summary(), warnings)
     }
-}
-
-fn sentence_of_all(rows: &[ConversionSummary], options: &ConversionOptions) -> String {
-    let spread = conversion_spread(rows);
-    let of = |parameters: Parameters| told(parameters, &spread[parameters as usize]);
-    format!(
-        "Mean ΔE over {} materials from {} to {}: {}.",
-        spread[0].count,
-        options.from.label(),
-        options.to.label(),
-        Parameters::ALL.map(of).join("; ")
-    )
 }

@@ -10,7 +10,6 @@ use super::super::output::{Format, FormatArguments, Output, Table};
 use super::{BAR_STEPS, progress_bar};
 use crate::figure::{Figure, FigureTheme};
 use crate::fit::Method;
-use crate::study::{Distribution, Parameters};
 
 /// The arguments of every demonstration.
 #[derive(Debug, Args)]
@@ -53,14 +52,6 @@ pub(super) fn index_method(text: &str) -> Result<Method, String> {
 /// What the help says about the method.
 pub(super) const METHOD_HELP: &str = "How n, k and g of a metal are derived: colour-matching, least-squares, \
     black-box, band-average, or points-R-G-B in nanometres";
-
-/// The spread of one description in words; what is exact has no worst.
-pub(super) fn told(parameters: Parameters, spread: &Distribution) -> String {
-    if spread.max < 1e-6 {
-        return format!("{} exact", parameters.label());
-    }
-    format!("{} {:.2} (worst {:.1}, {})", parameters.label(), spread.mean, spread.max, spread.worst)
-}
 
 /// Runs a study under a progress bar.
 pub(super) fn with_bar<T>(work: impl FnOnce(&(dyn Fn(f32) -> ControlFlow<()> + Sync)) -> T) -> T {

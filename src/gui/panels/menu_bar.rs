@@ -13,6 +13,7 @@ pub(crate) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
             ui.menu_button(name, |ui| menu(ui, groups, state, actions));
         }
         ui.add_space(theme::GROUP_GAP);
+        ui.spacing_mut().button_padding.x = theme::TAB_PADDING;
         for page in Page::ALL {
             let command = Command::show(page);
             let tab = Button::selectable(state.page == page, theme::title(page.label()))

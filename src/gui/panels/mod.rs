@@ -1,6 +1,7 @@
 //! The regions of the window. Each reads the state, edits the preset where it is an editor, and returns actions.
 
 pub(crate) mod curves;
+pub(crate) mod demonstrations;
 pub(crate) mod inspector;
 pub(crate) mod matching;
 pub(crate) mod menu_bar;

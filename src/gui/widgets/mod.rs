@@ -11,9 +11,9 @@ mod swatch;
 
 pub(crate) use colour_field::{ColourField, VALUE_WIDTH, channel_names, row_label};
 pub(crate) use colour_slider::colour_slider;
-pub(crate) use curve_plot::{CurvePlot, Handle, PlotLine, line_sample};
+pub(crate) use curve_plot::{CurvePlot, Handle, PlotLine, SAMPLE, line_sample};
 pub(crate) use difference_plot::{DifferenceLine, difference_plot};
 pub(crate) use number_field::NumberField;
 pub(crate) use photo_view::photo_view;
 pub(crate) use strip::strip;
-pub(crate) use swatch::{colour32, swatch};
+pub(crate) use swatch::{clipped_corner, colour32, swatch};

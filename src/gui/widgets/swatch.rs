@@ -30,7 +30,7 @@ fn paint(ui: &Ui, rect: Rect, rgb: Rgb, space: RgbSpace) {
 }
 
 /// The mark of a colour the screen cannot show: a triangle in the upper right corner.
-pub(super) fn clipped_corner(rect: Rect, colour: Color32) -> Shape {
+pub(crate) fn clipped_corner(rect: Rect, colour: Color32) -> Shape {
     let side = (rect.height() / 4.0).min(10.0);
     let corner = rect.right_top();
     let points = vec![corner, corner + Vec2::new(-side, 0.0), pos2(corner.x, corner.y + side)];
