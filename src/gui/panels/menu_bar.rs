@@ -13,7 +13,7 @@ pub(crate) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
             ui.menu_button(name, |ui| menu(ui, groups, state, actions));
         }
         ui.add_space(theme::GROUP_GAP);
-        ui.spacing_mut().button_padding.x = theme::TAB_PADDING;
+        let padding = std::mem::replace(&mut ui.spacing_mut().button_padding.x, theme::TAB_PADDING);
         for page in Page::ALL {
             let command = Command::show(page);
             let tab = Button::selectable(state.page == page, theme::title(page.label()))
@@ -24,6 +24,7 @@ pub(crate) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
                 actions.push(command.into());
             }
         }
+        ui.spacing_mut().button_padding.x = padding;
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let next = if ui.visuals().dark_mode { "Light" } else { "Dark" };
             let button = ui.button(next).on_hover_text(Command::ToggleTheme.tooltip());
