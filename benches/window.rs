@@ -3,7 +3,7 @@
 
 use divan::Bencher;
 use edgewise::gui::App;
-use eframe::egui::{accesskit::Role, vec2};
+use eframe::egui::{Key, Modifiers, accesskit::Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -42,6 +42,49 @@ fn frame_while_dragging_h(bencher: Bencher) {
     bencher.bench_local(|| {
         frame += 1;
         harness.hover_at(at(0.3 + 0.6 * f32::from(frame % 97) / 97.0));
+        harness.step();
+    });
+}
+
+/// A window on a demonstration whose studies are done.
+fn demonstration(name: &str) -> Harness<'static, App> {
+    let mut harness = window();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num3);
+    harness.step();
+    harness.get_by_label_contains(name).click();
+    harness.step();
+    while harness.state().is_busy() {
+        std::thread::sleep(std::time::Duration::from_millis(2));
+        harness.step();
+    }
+    harness
+}
+
+/// The hand moves the slider between two materials: every description is read anew.
+#[divan::bench]
+fn frame_while_dragging_a_blend(bencher: Bencher) {
+    let mut harness = demonstration("Blending: ");
+    let sliders = harness.get_all_by_role(Role::Slider).map(|slider| slider.rect());
+    let slider = sliders.max_by(|a, b| a.width().total_cmp(&b.width())).expect("the slider between the materials");
+    drag(bencher, &mut harness, slider);
+}
+
+/// The hand moves a cross of the preset over the square.
+#[divan::bench]
+fn frame_while_dragging_a_cross(bencher: Bencher) {
+    let mut harness = demonstration("Feasibility: ");
+    let cross = harness.get_by_label_contains("Cross of blue").rect();
+    drag(bencher, &mut harness, cross);
+}
+
+/// Drags back and forth from the middle of a place.
+fn drag(bencher: Bencher, harness: &mut Harness<'static, App>, place: eframe::egui::Rect) {
+    harness.drag_at(place.center());
+    harness.step();
+    let mut frame = 0_u16;
+    bencher.bench_local(|| {
+        frame += 1;
+        harness.hover_at(place.center() - vec2(f32::from(frame % 97), f32::from(frame % 31)));
         harness.step();
     });
 }

@@ -72,6 +72,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn what_is_exact_has_no_worst() {
+        let inexact = Distribution::of([("a", 0.1), ("b", 0.3)]);
+        let spreads = [Distribution::of([("a", 1e-12)]), inexact.clone(), inexact.clone(), inexact];
+        assert!(told(&spreads).starts_with("r, h exact; r, t 0.20 (worst 0.3, b); r, g"), "{}", told(&spreads));
+    }
+
+    #[test]
     fn quartiles_of_five_are_its_members() {
         let spread = Distribution::of([("e", 5.0), ("a", 1.0), ("d", 4.0), ("b", 2.0), ("c", 3.0)]);
         assert_eq!((spread.min, spread.lower_quartile, spread.median), (1.0, 2.0, 3.0));

@@ -137,6 +137,17 @@ mod tests {
     }
 
     #[test]
+    fn a_preset_is_three_points_of_its_own_space() {
+        let preset = Preset { h: crate::color::Rgb([0.8, 1.0, 0.7]), ..Preset::new_authored() };
+        let points = preset_points(&preset);
+        assert_eq!(
+            points.each_ref().map(|point| (point.channel, point.h)),
+            [("red", 0.8), ("green", 1.0), ("blue", 0.7)]
+        );
+        assert_eq!(points.map(|point| point.is_feasible), [true, false, true]);
+    }
+
+    #[test]
     fn boundary_runs_from_0_to_1_and_points_know_their_side() {
         let rows = feasibility_boundary(50);
         assert_eq!((rows.len(), rows[0].r, rows[50].r), (51, 0.0, 1.0));

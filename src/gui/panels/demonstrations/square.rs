@@ -129,7 +129,7 @@ fn grid(ui: &Ui, axes: Axes) {
     let ends = [axes.at(0.0, h_of_schlick(0.0)), axes.at(1.0, 1.0)];
     ui.painter().extend(Shape::dotted_line(&ends, palette.guide, 4.0, 1.0));
     ui.painter().rect_stroke(rect, 0, ui.visuals().window_stroke(), StrokeKind::Outside);
-    for (name, r, h) in [("0 ≤ F ≤ 1", 0.3, 0.2), ("real n and k", 0.24, 0.52), ("Schlick", 0.13, 0.58)] {
+    for (name, r, h) in [("0 ≤ F ≤ 1", 0.3, 0.2), ("real n and k", 0.24, 0.52), ("Schlick", 0.09, 0.59)] {
         ui.painter().text(axes.at(r, h), Align2::LEFT_CENTER, name, row::small(ui), ui.visuals().text_color());
     }
     let below = pos2(rect.center().x, rect.bottom() + 18.0);
