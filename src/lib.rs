@@ -17,6 +17,7 @@
 //! | [`sample`] | rendered photographs whose r and h are known |
 //! | [`preset`] | the document, its file, the library |
 //! | [`study`] | the paper's evidence, measured |
+//! | [`scene`] | the angles a scene sees, and the cheapest model within a tolerance |
 //! | [`render`] | spheres and difference pictures, on the CPU |
 //! | [`figure`] | plots and strips as SVG or PNG |
 //! | [`export`] | what a preset says to each renderer |
@@ -37,6 +38,7 @@ pub mod photo;
 pub mod preset;
 pub mod render;
 pub mod sample;
+pub mod scene;
 pub mod spectrum;
 pub mod study;
 

@@ -8,6 +8,7 @@ use anyhow::{Context, bail};
 use clap::Args;
 use serde_json::json;
 
+use super::export_plan::{Destination, export_plan};
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::study::progress_bar;
 use crate::color::RgbSpace;
@@ -20,11 +21,14 @@ use crate::preset::{Preset, pretty_json};
 #[derive(Debug, Args)]
 pub struct Export {
     /// Preset files
-    #[arg(required_unless_present_any = ["metal", "list"])]
+    #[arg(required_unless_present_any = ["metal", "list", "plan"])]
     presets: Vec<PathBuf>,
     /// A metal of the library by its exact r and h; may be given again
     #[arg(long, value_name = "ID")]
     metal: Vec<String>,
+    /// The materials of a scene as `edgewise plan -o` saved it, without h where it needs none
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["presets", "metal"])]
+    plan: Option<PathBuf>,
     /// What to write; may be given again. --list says what there is
     #[arg(long = "to", value_name = "TARGET", required_unless_present = "list")]
     targets: Vec<Target>,
@@ -51,6 +55,10 @@ impl Export {
     pub(super) fn run(mut self) -> anyhow::Result<Output> {
         if self.list {
             return Ok(Output { text: targets().render(self.format.format()), ..Output::default() });
+        }
+        if let Some(plan) = &self.plan {
+            let to = Destination { folder: &self.output, force: self.force, strict: self.strict, space: self.space };
+            return export_plan(plan, &self.targets, &to, self.format.format());
         }
         let (presets, mut warnings) = self.presets()?;
         let mut exports = self.exports(&presets)?;

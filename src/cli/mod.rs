@@ -6,6 +6,7 @@
 //! | `convert` | `edgewise convert`: the same material in other parameters |
 //! | `curve` | the truth of a material, or a model of it, over the angle |
 //! | `export` | `edgewise export`: presets as files for renderers |
+//! | `export_plan` | `edgewise export --plan`: the materials of a scene, without what it does not need |
 //! | `fit` | `edgewise fit`: parameters of models for a measured metal |
 //! | `import` | `edgewise import`: presets from what other programs write |
 //! | `inspect` | `edgewise inspect`: what a photograph says about its colours |
@@ -15,6 +16,7 @@
 //! | `output` | table, CSV and JSON, one form of each for every subcommand |
 //! | `parameters` | the parameters of a model as rows |
 //! | `picture` | `edgewise picture`: a sphere by the truth and by a model |
+//! | `plan` | `edgewise plan`: what a scene requires |
 //! | `presets` | `edgewise presets`: the presets that ship with the program |
 //! | `reflect` | `edgewise reflect`: reflectance over angle |
 //! | `samples` | `edgewise samples`: the rendered photographs inside the program |
@@ -26,6 +28,7 @@ mod batch;
 mod convert;
 mod curve;
 mod export;
+mod export_plan;
 mod fit;
 mod import;
 mod inspect;
@@ -35,6 +38,7 @@ mod metals;
 mod output;
 mod parameters;
 mod picture;
+mod plan;
 mod presets;
 mod reflect;
 mod samples;
@@ -94,6 +98,8 @@ pub enum Command {
     Import(import::Import),
     /// Measure what the paper claims
     Study(study::Study),
+    /// Find the cheapest model of each material of a scene within a tolerance
+    Plan(Box<plan::PlanCommand>),
 }
 
 impl Command {
@@ -111,6 +117,7 @@ impl Command {
             Self::Export(command) => command.run(),
             Self::Import(command) => command.run(),
             Self::Study(command) => command.run(),
+            Self::Plan(command) => command.run(),
         }
     }
 }

@@ -5,6 +5,7 @@ mod conversion;
 mod demonstrations;
 mod material;
 mod shown;
+mod trade;
 
 use std::ops::ControlFlow;
 
@@ -39,6 +40,8 @@ enum Subject {
     Uniformity(demonstrations::UniformityCommand),
     /// Which r and h are reflectances
     Feasibility(demonstrations::FeasibilityCommand),
+    /// How much accuracy there is for how much cost
+    Trade(trade::TradeCommand),
 }
 
 #[derive(Debug, Args)]
@@ -76,6 +79,7 @@ impl Study {
             Subject::Decoupling(command) => command.run(),
             Subject::Uniformity(command) => command.run(),
             Subject::Feasibility(command) => command.run(),
+            Subject::Trade(command) => command.run(),
         }
     }
 }

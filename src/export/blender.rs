@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::number::{number, triple};
@@ -24,13 +25,20 @@ pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
     for (interop_id, space) in WORKING_SPACES {
         let tint = Tint::in_space(material, space);
         let (r, t) = (triple(tint.r, ", "), triple(tint.t, ", "));
-        writeln!(values, "    \"{interop_id}\": (({r}), ({t})),")?;
+        match material.kept {
+            Kept::Whole => writeln!(values, "    \"{interop_id}\": (({r}), ({t})),")?,
+            _ => writeln!(values, "    \"{interop_id}\": ({r}),")?,
+        }
     }
+    let (head, body) = match material.kept {
+        Kept::Whole => (HEAD.to_owned(), BODY.to_owned()),
+        _ => (HEAD.replace(HEAD_OF_TINT, HEAD_WITHOUT), BODY.replace("r, t = VALUES", "r = VALUES").replace(TINT, "")),
+    };
     let header: String = header.iter().map(|line| format!("# {line}\n")).collect();
     // A JSON string is a Python string.
     let name = serde_json::to_string(&material.name)?;
     let roughness = number(material.roughness);
-    Ok(format!("{header}{HEAD}NAME = {name}\nROUGHNESS = {roughness}\nVALUES = {{\n{values}}}\n{BODY}").into_bytes())
+    Ok(format!("{header}{head}NAME = {name}\nROUGHNESS = {roughness}\nVALUES = {{\n{values}}}\n{body}").into_bytes())
 }
 
 const HEAD: &str = "\
@@ -41,6 +49,16 @@ import bpy
 # Base Color r and Specular Tint t = h / (q + (1 - q) r), q = (6/7)^5, for each working space.
 # t is no colour: it was derived in each space, and must not be converted between them.
 ";
+
+/// What the head says of the tint, and what it says where there is none.
+const HEAD_OF_TINT: &str = "\
+# Base Color r and Specular Tint t = h / (q + (1 - q) r), q = (6/7)^5, for each working space.
+# t is no colour: it was derived in each space, and must not be converted between them.
+";
+const HEAD_WITHOUT: &str = "# Base Color r for each working space; Specular Tint stays white.\n";
+
+/// The line that sets the tint.
+const TINT: &str = "    principled.inputs[\"Specular Tint\"].default_value = (*t, 1.0)\n";
 
 const BODY: &str = r#"
 

@@ -7,7 +7,7 @@ use super::loss::{Cause, Difference, Part};
 use super::material::Material;
 use super::swatch::Swatch;
 use super::tint::Tint;
-use super::{ExportError, ExportFile, Exported, Loss, Options, Target, file_stems};
+use super::{ExportError, ExportFile, Exported, Kept, Loss, Options, Target, file_stems};
 use super::{aco, ase, blender, cube, curve_csv, exr_ramp, gltf, gpl, materialx, mitsuba, mitsuba_plugin, shader, usd};
 use crate::color::RgbSpace;
 use crate::fresnel::FresnelModel;
@@ -29,7 +29,19 @@ pub fn export(preset: &Preset, target: Target, options: &Options) -> Result<Expo
 
 /// Writes one preset under a stem of the caller's, as [`file_stems`] gives for a batch.
 pub fn export_as(stem: &str, preset: &Preset, target: Target, options: &Options) -> Result<Exported, ExportError> {
-    let material = Material::new(preset, target, options)?;
+    export_kept(stem, preset, target, options, Kept::Whole)
+}
+
+/// Writes of one preset no more than a scene requires; what the target cannot leave out is kept, see [`Target::can_keep`].
+pub fn export_kept(
+    stem: &str,
+    preset: &Preset,
+    target: Target,
+    options: &Options,
+    kept: Kept,
+) -> Result<Exported, ExportError> {
+    let kept = if target.can_keep(kept) { kept } else { Kept::Whole };
+    let material = Material::new(preset, target, options)?.keeping(kept);
     let translation = Translation::of(&material, target);
     let losses = translation.losses(&material, target);
     let header = header(&material, &losses);
@@ -98,7 +110,11 @@ fn header(material: &Material<'_>, losses: &[Loss]) -> Vec<String> {
     let (r, h) = (super::number::triple(material.r, " "), super::number::triple(material.h, " "));
     let mut lines = vec![
         format!("{}, written by Edgewise", material.name),
-        format!("{}: r = {r} facing, h = {h} at 81.8°", material.space),
+        match material.kept {
+            Kept::Whole => format!("{}: r = {r} facing, h = {h} at 81.8°", material.space),
+            Kept::Schlick => format!("{}: r = {r} facing, Schlick's edge: its scene needs no h", material.space),
+            Kept::Constant => format!("{}: r = {r} at every angle: its scene needs no edge", material.space),
+        },
     ];
     lines.extend(losses.iter().map(|loss| super::names::one_line(&loss.to_string())));
     lines
@@ -191,7 +207,7 @@ fn blender_losses(material: &Material<'_>) -> Vec<Loss> {
     let mut losses = Vec::new();
     for (_, space) in blender::WORKING_SPACES {
         let tint = Tint::in_space(material, space);
-        let difference = Difference::between(&material.preset.in_space(space).model(), &tint.model(), space);
+        let difference = Difference::between(&material.model_in(space), &tint.model(), space);
         let loss = |cause| Loss { preset: material.name.clone(), space, cause, difference };
         losses.extend(tint.causes().into_iter().map(loss));
     }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use gltf::binary::{Glb, Header};
 use serde_json::{Value, json};
 
+use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::number::rounded;
@@ -25,13 +26,27 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 /// file shows nothing.
 pub(super) fn write(material: &Material<'_>, tint: &Tint) -> Written {
     let mesh = SphereMesh::new(48, 24);
-    let json = serde_json::to_vec(&document(material, tint, &mesh))?;
+    let mut document = document(material, tint, &mesh);
+    if material.kept != Kept::Whole {
+        without_tint(&mut document);
+    }
+    let json = serde_json::to_vec(&document)?;
     let glb = Glb {
         header: Header { magic: *b"glTF", version: 2, length: 0 },
         json: Cow::Owned(json),
         bin: Some(Cow::Owned(mesh.bytes())),
     };
     Ok(glb.to_vec()?)
+}
+
+/// A metal without extensions has Schlick's edge (glTF 2.0, appendix B.2).
+fn without_tint(document: &mut Value) {
+    if let Some(document) = document.as_object_mut() {
+        document.remove("extensionsUsed");
+    }
+    if let Some(surface) = document.pointer_mut("/materials/0").and_then(Value::as_object_mut) {
+        surface.remove("extensions");
+    }
 }
 
 fn document(material: &Material<'_>, tint: &Tint, mesh: &SphereMesh) -> Value {

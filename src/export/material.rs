@@ -1,9 +1,9 @@
 //! A preset as a writer sees it: in the target's space, with names its format takes.
 
 use super::names::{identifier, one_line};
-use super::{ExportError, Options, Target};
+use super::{ExportError, Kept, Options, Target};
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::FresnelModel;
+use crate::fresnel::{FresnelModel, h_of_schlick};
 use crate::preset::Preset;
 
 /// What every writer starts from. r and h have been converted; nothing has been clipped or derived.
@@ -23,6 +23,8 @@ pub(super) struct Material<'a> {
     pub h: Rgb,
     /// Perceptual roughness.
     pub roughness: f64,
+    /// What the file says of the curve.
+    pub kept: Kept,
 }
 
 impl<'a> Material<'a> {
@@ -42,8 +44,15 @@ impl<'a> Material<'a> {
             r: preset.space.convert(preset.r, space),
             h: preset.space.convert(preset.h, space),
             roughness: preset.roughness,
+            kept: Kept::Whole,
             preset,
         })
+    }
+
+    /// The same with less of its curve.
+    pub(super) fn keeping(self, kept: Kept) -> Self {
+        let h = if kept == Kept::Whole { self.h } else { self.r.map(h_of_schlick) };
+        Self { h, kept, ..self }
     }
 
     /// The whole preset, in the space of the file.
@@ -51,9 +60,23 @@ impl<'a> Material<'a> {
         self.preset.in_space(self.space)
     }
 
-    /// The curve the preset stands for, in the space of the file.
+    /// The curve the file is to say, in its space.
     pub(super) fn model(&self) -> FresnelModel {
-        FresnelModel::Hoffman { r: self.r, h: self.h }
+        self.model_of(self.r, self.h)
+    }
+
+    /// The same in a space the file also speaks for.
+    pub(super) fn model_in(&self, space: RgbSpace) -> FresnelModel {
+        let preset = self.preset.in_space(space);
+        self.model_of(preset.r, preset.h)
+    }
+
+    fn model_of(&self, r: Rgb, h: Rgb) -> FresnelModel {
+        match self.kept {
+            Kept::Whole => FresnelModel::Hoffman { r, h },
+            Kept::Schlick => FresnelModel::Schlick { r },
+            Kept::Constant => FresnelModel::Constant { r },
+        }
     }
 
     /// Microfacet α of the usual parameterisation, the square of roughness.

@@ -6,6 +6,7 @@
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
+use super::Kept;
 use super::edge_tint::EdgeTint;
 use super::export::Written;
 use super::material::Material;
@@ -26,7 +27,13 @@ pub(super) fn open_pbr(header: &[String], material: &Material<'_>, tint: &Tint) 
         Input::float("specular_roughness", material.roughness),
     ];
     document("1.39", header, material, |writer, names| {
-        node(writer, "open_pbr_surface", &names.shader, "surfaceshader", &inputs)
+        node(
+            writer,
+            "open_pbr_surface",
+            &names.shader,
+            "surfaceshader",
+            &without_tint(inputs, "specular_color", material),
+        )
     })
 }
 
@@ -43,7 +50,7 @@ pub(super) fn generalized_schlick(header: &[String], material: &Material<'_>, ti
         Input::value("scatter_mode", "string", "R".to_owned()),
     ];
     document("1.39", header, material, |writer, names| {
-        node(writer, "generalized_schlick_bsdf", &names.bsdf, "BSDF", &inputs)?;
+        node(writer, "generalized_schlick_bsdf", &names.bsdf, "BSDF", &without_tint(inputs, "color82", material))?;
         node(writer, "surface", &names.shader, "surfaceshader", &[Input::node("bsdf", "BSDF", &names.bsdf)])
     })
 }
@@ -61,6 +68,11 @@ pub(super) fn standard_surface(header: &[String], material: &Material<'_>, fit: 
     document("1.38", header, material, |writer, names| {
         node(writer, "standard_surface", &names.shader, "surfaceshader", &inputs)
     })
+}
+
+/// All inputs, but for the tint where only r is said: white is what the node has without it.
+fn without_tint<const N: usize>(inputs: [Input; N], tint: &str, material: &Material<'_>) -> Vec<Input> {
+    inputs.into_iter().filter(|input| material.kept == Kept::Whole || input.name != tint).collect()
 }
 
 /// Names of the nodes of one material.

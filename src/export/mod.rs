@@ -17,6 +17,7 @@ mod exported;
 mod exr_ramp;
 mod gltf;
 mod gpl;
+mod kept;
 mod loss;
 mod material;
 mod materialx;
@@ -31,8 +32,9 @@ mod target;
 mod tint;
 mod usd;
 
-pub use export::{Shown, export, export_all, export_as, shown};
+pub use export::{Shown, export, export_all, export_as, export_kept, shown};
 pub use exported::{ExportError, ExportFile, Exported, Options};
+pub use kept::Kept;
 pub use loss::{Cause, Clip, Difference, Loss, Parameter, Part};
 pub use names::{file_stems, identifier};
 pub use target::Target;

@@ -2,6 +2,7 @@
 //!
 //! No `pow`, which is NaN for a cosine slightly above 1; the cosine is clamped; every literal has a point.
 
+use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::names::one_ascii_line;
@@ -10,26 +11,31 @@ use crate::fresnel::{PEAK_GAIN, SCHLICK_GAIN};
 
 /// GLSL for `#version 330`, `300 es` and Vulkan `450`; the including shader has the version line.
 pub(super) fn glsl(header: &[String], material: &Material<'_>) -> Written {
-    fill(GLSL, header, material)
+    fill(&Templates::GLSL, header, material)
 }
 
 /// HLSL for shader model 2 and later.
 pub(super) fn hlsl(header: &[String], material: &Material<'_>) -> Written {
-    fill(HLSL, header, material)
+    fill(&Templates::HLSL, header, material)
 }
 
 /// WGSL. It has no preprocessor, so a module with two metals must drop the second general function.
 pub(super) fn wgsl(header: &[String], material: &Material<'_>) -> Written {
-    fill(WGSL, header, material)
+    fill(&Templates::WGSL, header, material)
 }
 
 /// OSL: the functions, and a shader around them that states the reflectance at the shading point.
 pub(super) fn osl(header: &[String], material: &Material<'_>) -> Written {
-    fill(OSL, header, material)
+    fill(&Templates::OSL, header, material)
 }
 
 /// Puts a material into a template. `$NAME`s are replaced one by one; no value contains another's name.
-fn fill(template: &str, header: &[String], material: &Material<'_>) -> Written {
+fn fill(templates: &Templates, header: &[String], material: &Material<'_>) -> Written {
+    let template = match material.kept {
+        Kept::Whole => templates.whole.to_owned(),
+        Kept::Schlick => templates.schlick.to_owned() + templates.rest,
+        Kept::Constant => templates.constant.to_owned() + templates.rest,
+    };
     let comments: String = header.iter().map(|line| format!("// {}\n", one_ascii_line(line))).collect();
     let text = template
         .replace("$PEAK_GAIN", &number(PEAK_GAIN))
@@ -38,6 +44,105 @@ fn fill(template: &str, header: &[String], material: &Material<'_>) -> Written {
         .replace("$R", &triple(material.r, ", "))
         .replace("$H", &triple(material.h, ", "));
     Ok(format!("{comments}{text}").into_bytes())
+}
+
+/// The functions of a language for as much of the curve as is said.
+struct Templates {
+    whole: &'static str,
+    schlick: &'static str,
+    constant: &'static str,
+    /// What follows the functions that say less.
+    rest: &'static str,
+}
+
+impl Templates {
+    const GLSL: Self = Self {
+        whole: GLSL,
+        schlick: "\
+#ifdef GL_ES
+precision highp float;
+#endif
+
+// Schlick 1994: r facing the surface, white at grazing.
+vec3 fresnel_$NAME(float cosTheta) {
+    vec3 r = vec3($R);
+    float x = 1.0 - clamp(cosTheta, 0.0, 1.0);
+    float x2 = x * x;
+    return r + (x2 * x2 * x) * (vec3(1.0) - r);
+}
+",
+        constant: "\
+#ifdef GL_ES
+precision highp float;
+#endif
+
+vec3 fresnel_$NAME(float cosTheta) {
+    return vec3($R);
+}
+",
+        rest: "",
+    };
+
+    const HLSL: Self = Self {
+        whole: HLSL,
+        schlick: "\
+// Schlick 1994: r facing the surface, white at grazing.
+float3 fresnel_$NAME(float cosTheta) {
+    float3 r = float3($R);
+    float x = 1.0 - saturate(cosTheta);
+    float x2 = x * x;
+    return r + (x2 * x2 * x) * (float3(1.0, 1.0, 1.0) - r);
+}
+",
+        constant: "\
+float3 fresnel_$NAME(float cosTheta) {
+    return float3($R);
+}
+",
+        rest: "",
+    };
+
+    const WGSL: Self = Self {
+        whole: WGSL,
+        schlick: "\
+// Schlick 1994: r facing the surface, white at grazing.
+fn fresnel_$NAME(cos_theta: f32) -> vec3<f32> {
+    let r = vec3<f32>($R);
+    let x = 1.0 - clamp(cos_theta, 0.0, 1.0);
+    let x2 = x * x;
+    return r + (x2 * x2 * x) * (vec3<f32>(1.0) - r);
+}
+",
+        constant: "\
+fn fresnel_$NAME(cos_theta: f32) -> vec3<f32> {
+    return vec3<f32>($R);
+}
+",
+        rest: "",
+    };
+
+    const OSL: Self = Self {
+        whole: OSL,
+        schlick: "\
+// Schlick 1994: r facing the surface, white at grazing.
+color fresnel_$NAME(float cosTheta) {
+    color r = color($R);
+    float x = 1.0 - clamp(cosTheta, 0.0, 1.0);
+    float x2 = x * x;
+    return r + (x2 * x2 * x) * (color(1.0) - r);
+}
+",
+        constant: "\
+color fresnel_$NAME(float cosTheta) {
+    return color($R);
+}
+",
+        rest: "
+shader edgewise_$NAME(output color reflectance = 0.0) {
+    reflectance = fresnel_$NAME(abs(dot(I, N)));
+}
+",
+    };
 }
 
 const GLSL: &str = "\

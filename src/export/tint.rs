@@ -1,9 +1,10 @@
 //! r and t: what every field called specular color, edge tint or color82 takes.
 
+use super::Kept;
 use super::loss::{Cause, Clip, Parameter, clip};
 use super::material::Material;
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::{FresnelModel, t_from_r_h};
+use crate::fresnel::{FresnelModel, h_of_schlick, t_from_r_h};
 
 /// r and t within `[0, 1]`, where readers would clip without a word.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,8 @@ impl Tint {
     /// The tint of a material in a space its file also speaks for: r and h are converted first, then t is derived.
     pub(super) fn in_space(material: &Material<'_>, space: RgbSpace) -> Self {
         let preset = material.preset.in_space(space);
-        Self::of(preset.r, preset.h)
+        let h = if material.kept == Kept::Whole { preset.h } else { preset.r.map(h_of_schlick) };
+        Self::of(preset.r, h)
     }
 
     /// The curve a reader shows.

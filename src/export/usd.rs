@@ -1,5 +1,6 @@
 //! USD: one material with two surfaces, the exact one and the one every viewer knows.
 
+use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::number::{number, triple};
@@ -15,6 +16,12 @@ pub(super) fn write(header: &[String], material: &Material<'_>, tint: &Tint) -> 
     let display_name = material.name.replace('"', "\\\"");
     let space = interop_id(material.space);
     let (r, t, roughness) = (triple(tint.r, ", "), triple(tint.t, ", "), number(material.roughness));
+    // Without them both surfaces have a white tint, which is Schlick's edge.
+    let tint = |input: &str| match material.kept {
+        Kept::Whole => format!("        color3f inputs:{input} = ({t})\n"),
+        _ => String::new(),
+    };
+    let (open_pbr_tint, preview_tint) = (tint("specular_color"), tint("specularColor"));
     Ok(format!(
         r#"#usda 1.0
 (
@@ -40,8 +47,7 @@ def Material "{name}" (
         color3f inputs:base_color = ({r})
         float inputs:base_metalness = 1
         float inputs:specular_weight = 1
-        color3f inputs:specular_color = ({t})
-        float inputs:specular_roughness = {roughness}
+{open_pbr_tint}        float inputs:specular_roughness = {roughness}
         token outputs:out
     }}
 
@@ -51,8 +57,7 @@ def Material "{name}" (
         int inputs:useSpecularWorkflow = 0
         float inputs:metallic = 1
         color3f inputs:diffuseColor = ({r})
-        color3f inputs:specularColor = ({t})
-        float inputs:roughness = {roughness}
+{preview_tint}        float inputs:roughness = {roughness}
         token outputs:surface
     }}
 }}

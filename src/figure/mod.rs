@@ -26,6 +26,7 @@ mod style;
 mod swatch;
 mod table;
 mod text;
+mod trade;
 
 pub use bars::{Bar, BarFigure};
 pub use curve::{CurveFigure, CurveSeries, DeltaE, curve_angles, curve_figure};
@@ -45,3 +46,4 @@ pub use style::{FigureTheme, Ink, Palette};
 pub use swatch::{SwatchFigure, swatch_figure};
 pub use table::{HeatRow, HeatTable};
 pub use text::{Weight, text_width};
+pub use trade::trade_figure;

@@ -20,6 +20,8 @@ pub struct ScatterFigure {
     pub y_name: String,
     /// Equal factors equally far apart on the horizontal axis; points at or below 0 are then not drawn, and counted in a note.
     pub is_x_log: bool,
+    /// The same of the vertical axis.
+    pub is_y_log: bool,
     /// Names of the series; a single one is not named.
     pub series: Vec<String>,
     /// The points.
@@ -49,7 +51,8 @@ const DOT: f64 = 4.0;
 impl ScatterFigure {
     /// The points that can be drawn.
     fn shown(&self) -> Vec<&ScatterPoint> {
-        let can_be_drawn = |p: &&ScatterPoint| p.x.is_finite() && p.y.is_finite() && (!self.is_x_log || p.x > 0.0);
+        let fits = |value: f64, is_log: bool| value.is_finite() && (!is_log || value > 0.0);
+        let can_be_drawn = |p: &&ScatterPoint| fits(p.x, self.is_x_log) && fits(p.y, self.is_y_log);
         self.points.iter().filter(can_be_drawn).collect()
     }
 
@@ -59,19 +62,17 @@ impl ScatterFigure {
             all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
         };
         let (x_range, y_range) =
-            if shown.is_empty() { ((1.0, 2.0), (0.0, 1.0)) } else { (range(|p| p.x), range(|p| p.y)) };
+            if shown.is_empty() { ((1.0, 2.0), (1.0, 2.0)) } else { (range(|p| p.x), range(|p| p.y)) };
         let (x_places, y_places) = ((LEFT, LEFT + PANEL.0), (TOP + PANEL.1, TOP));
         let linear = |(low, high): (f64, f64), places| {
             let start = if low >= 0.0 && low < 0.3 * high { 0.0 } else { low };
             let range = rounded_out(start..=high.max(start + 1e-9), 6);
             Axis::new((*range.start(), *range.end()), places)
         };
-        let x = if self.is_x_log {
-            Axis::log((x_range.0 / 1.5, x_range.1 * 1.5), x_places)
-        } else {
-            linear(x_range, x_places)
+        let axis = |(low, high): (f64, f64), is_log: bool, places| {
+            if is_log { Axis::log((low / 1.5, high * 1.5), places) } else { linear((low, high), places) }
         };
-        (x, linear(y_range, y_places))
+        (axis(x_range, self.is_x_log, x_places), axis(y_range, self.is_y_log, y_places))
     }
 }
 
@@ -152,6 +153,7 @@ mod tests {
             x_name: "r".to_owned(),
             y_name: "h".to_owned(),
             is_x_log: false,
+            is_y_log: false,
             series: vec!["Metals".to_owned(), "Others".to_owned()],
             points,
             has_front: true,

@@ -12,6 +12,7 @@ mod loss;
 mod metal_fit;
 mod method;
 mod search;
+mod series;
 
 pub use convert::{Conversion, NotAMaterial, convert};
 pub use curve_error::{CurveError, delta_e_over_degrees};
@@ -22,3 +23,4 @@ pub use loss::Loss;
 pub use metal_fit::{Fit, FitError, fit, fit_to_truth};
 pub use method::{Method, Triple};
 pub use search::Stopped;
+pub use series::series_by_least_squares;

@@ -12,6 +12,7 @@ mod hoffman;
 mod lazanyi;
 mod model;
 mod schlick;
+mod series;
 
 pub use angle::{COS_THETA_MAX, CosTheta, THETA_MAX_DEG, whole_degrees};
 pub use conductor::{conductor, normal_reflectance};
@@ -25,3 +26,4 @@ pub use hoffman::{
 pub use lazanyi::lazanyi;
 pub use model::{FresnelModel, ModelKind};
 pub use schlick::{SCHLICK_WEIGHT_AT_MAX, schlick, schlick_at_theta_max};
+pub use series::SchlickSeries;

@@ -11,6 +11,7 @@
 //! | does one parameter leave the other's meaning alone? | `decoupling` |
 //! | do equal steps of a slider look equal? | `uniformity` |
 //! | which r and h are reflectances? | `feasibility` |
+//! | how much accuracy is there for how much cost? | `trade`, of the variants in `variant`, `form` and `cost` |
 //!
 //! A [`Subject`] is what a demonstration is about; [`Contestants`] are its four descriptions in one space.
 
@@ -19,19 +20,24 @@ mod blending;
 mod candidate;
 mod claims;
 mod conversion;
+mod cost;
 mod csv_text;
 mod decoupling;
 mod distribution;
 mod evidence;
 mod evidence_markdown;
 mod feasibility;
+mod form;
+mod measure;
 mod painted;
 mod parameters;
 mod quantisation;
 mod spread;
 mod subject;
 mod summary;
+mod trade;
 mod uniformity;
+mod variant;
 
 pub use accuracy::{AccuracyRow, accuracy, no_progress};
 pub use blending::{
@@ -44,6 +50,7 @@ pub use conversion::{
     ColourConversion, ConversionOptions, ConversionRow, ConversionSummary, ConvertedParameters, conversion,
     conversion_of, conversion_spread, conversions, conversions_summary,
 };
+pub use cost::{Cost, CostAxis, Costs, Operations};
 pub use csv_text::rows_to_csv;
 pub use decoupling::{
     CrossTalkRow, Decoupling, DecouplingOptions, DecouplingRow, SWEEP_STEPS, Sweep, Swept, decoupling,
@@ -54,6 +61,8 @@ pub use evidence_markdown::evidence_markdown;
 pub use feasibility::{
     BoundaryRow, MetalPoint, feasibility_boundary, feasibility_summary, metal_points, preset_points,
 };
+pub use form::{Form, FormOfVariant, forms, true_reflectance};
+pub use measure::Measure;
 pub use painted::{Painted, colour_at, painted_sphere};
 pub use parameters::{Pair, Parameters};
 pub use quantisation::{
@@ -62,6 +71,8 @@ pub use quantisation::{
 pub use spread::{SpreadRow, spread};
 pub use subject::{Contestants, StudyError, Subject};
 pub use summary::{Summary, summaries};
+pub use trade::{TradeOptions, TradeRow, trade, trade_summary};
 pub use uniformity::{
     Reach, Slider, SliderSweep, StepRow, UniformityOptions, UniformityRow, uniformity, uniformity_summary,
 };
+pub use variant::{UnknownVariant, Variant};

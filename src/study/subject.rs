@@ -8,7 +8,8 @@ use super::parameters::{Pair, Parameters};
 use crate::color::{Rgb, RgbSpace};
 use crate::fit::{FitError, Method, NotAMaterial, convert, fit_to_truth};
 use crate::fresnel::{CosTheta, FresnelModel, ModelKind, t_from_r_h, whole_degrees};
-use crate::metal::{Metal, TruthCurve};
+use crate::metal::{Metal, TruthCurve, metals};
+use crate::preset::{Origin, Preset};
 
 /// A material to demonstrate something on.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +45,21 @@ pub enum StudyError {
     NotAMaterial(#[from] NotAMaterial),
 }
 
-impl Subject<'_> {
+impl<'a> Subject<'a> {
+    /// A preset: the measured metal whose r and h it has, else its own two colours; and why its truth is its own.
+    pub fn of_preset(preset: &'a Preset) -> (Self, Option<String>) {
+        let Preset { name, space, r, h, .. } = preset;
+        let own = Self::Colours { name, space: *space, r: *r, h: *h };
+        let Origin::Measured { metal: id, .. } = &preset.origin else {
+            return (own, Some("Two colours: their own curve is the truth".to_owned()));
+        };
+        match metals().iter().find(|metal| metal.id == *id) {
+            Some(metal) if is_of(preset, metal) => (Self::Metal(metal), None),
+            Some(_) => (own, Some(format!("r and h are not those of {id}: their own curve is the truth"))),
+            None => (own, Some(format!("{id} is not in the library: r and h are the truth"))),
+        }
+    }
+
     /// The name people read.
     pub fn name(&self) -> String {
         match self {
@@ -53,6 +68,12 @@ impl Subject<'_> {
             Self::Dielectric { n } => format!("Dielectric, n = {n}"),
         }
     }
+}
+
+/// Four decimals are what presets are often rounded to.
+fn is_of(preset: &Preset, metal: &Metal) -> bool {
+    let is_close = |own: Rgb, measured: Rgb| own.max_abs_difference(measured) < 1e-4;
+    is_close(preset.r, metal.r(preset.space)) && is_close(preset.h, metal.h(preset.space))
 }
 
 /// The truth of a material in one space, and the four descriptions of it. Cheap to keep while a slider is dragged.

@@ -7,6 +7,7 @@ mod inspect;
 mod listing;
 mod matching;
 mod picture;
+mod plan;
 mod program;
 mod reflect;
 mod run;

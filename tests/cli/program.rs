@@ -5,9 +5,9 @@ use std::process::Command;
 
 use crate::run::{quiet, refusal, stderr};
 
-pub const SUBCOMMANDS: [&str; 12] = [
+pub const SUBCOMMANDS: [&str; 13] = [
     "match", "inspect", "samples", "metals", "reflect", "picture", "fit", "convert", "presets", "import", "export",
-    "study",
+    "study", "plan",
 ];
 
 #[test]

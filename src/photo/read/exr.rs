@@ -17,6 +17,7 @@ use super::colour::{Claim, Colour, Primaries};
 use super::{Decoded, Progress, limits, report};
 use crate::color::RgbSpace;
 use crate::photo::orientation::Orientation;
+use crate::photo::plane::{PlaneKind, PlanePixels};
 use crate::photo::samples::Samples;
 use crate::photo::{ColourRule, PhotoErrorKind, Warning};
 
@@ -191,13 +192,23 @@ impl FloatSample for f32 {
     }
 }
 
-/// The pixels of a layer, without alpha. Blocks are decompressed on every core, a few at a time.
+/// The pixels of a layer, without alpha.
 fn pixels<T: FloatSample>(
+    reader: Reader<Cursor<&[u8]>>,
+    layer: &Layer,
+    size: [u32; 2],
+    progress: Progress<'_>,
+) -> Result<(Vec<T>, Option<Warning>), PhotoErrorKind> {
+    Ok(without_alpha(interleaved(reader, layer, size, progress)?, layer))
+}
+
+/// The pixels of a layer with its alpha. Blocks are decompressed on every core, a few at a time.
+fn interleaved<T: FloatSample>(
     reader: Reader<Cursor<&[u8]>>,
     layer: &Layer,
     [width, height]: [u32; 2],
     progress: Progress<'_>,
-) -> Result<(Vec<T>, Option<Warning>), PhotoErrorKind> {
+) -> Result<Vec<T>, PhotoErrorKind> {
     const BLOCKS_AT_ONCE: usize = 32;
     let meta = reader.meta_data().clone();
     let header = &meta.headers[layer.part];
@@ -232,7 +243,82 @@ fn pixels<T: FloatSample>(
     if missing > 0 {
         return Err(PhotoErrorKind::damaged("OpenEXR")(&format!("{missing} pixels are missing")));
     }
-    Ok(without_alpha(interleaved, layer))
+    Ok(interleaved)
+}
+
+/// One channel as it is stored, whatever its name, and the alpha beside it.
+///
+/// Data are multiplied by alpha as colours are (OpenEXR, "Technical introduction", 2023): a facing ratio is divided by
+/// it, so that an edge has the ratio of its surface. Ids and mattes stay as they are.
+pub(super) fn plane(
+    bytes: &[u8],
+    kind: PlaneKind,
+    wanted: Option<&str>,
+    progress: Progress<'_>,
+) -> Result<PlanePixels, PhotoErrorKind> {
+    let reader = read(Cursor::new(bytes), false).map_err(damaged)?;
+    check_headers(reader.headers(), bytes.len())?;
+    let all = channels(reader.headers());
+    let chosen = choose_channel(&all, kind, wanted)?;
+    let beside = chosen.name.rsplit_once('.').map_or("A".to_owned(), |(prefix, _)| format!("{prefix}.A"));
+    let is_alpha = |other: &&Channel| other.part == chosen.part && other.name.eq_ignore_ascii_case(&beside);
+    let alpha = all.iter().find(is_alpha).filter(|alpha| alpha.index != chosen.index).map(|alpha| alpha.index);
+    let layer = Layer { part: chosen.part, name: chosen.name.clone(), colours: vec![chosen.index], alpha };
+    let size = size_of_header(&reader.headers()[layer.part], 8)?;
+    let samples: Vec<f32> = interleaved(reader, &layer, size, progress)?;
+    let (values, coverage) = match alpha {
+        None => (samples, None),
+        Some(_) => {
+            let (values, alpha): (Vec<f32>, Vec<f32>) =
+                samples.as_chunks().0.iter().map(|[v, a]: &[f32; 2]| (*v, *a)).unzip();
+            let covered = |(value, alpha): (&f32, &f32)| value.divided_by(*alpha);
+            let is_ratio = kind == PlaneKind::Facing;
+            let values = if is_ratio { values.iter().zip(&alpha).map(covered).collect() } else { values };
+            (values, Some(alpha))
+        }
+    };
+    Ok(PlanePixels { size, channel: layer.name, values, coverage, warnings: Vec::new() })
+}
+
+/// A channel of any part.
+struct Channel {
+    part: usize,
+    index: usize,
+    /// With the part's name before it, where there are several.
+    name: String,
+}
+
+fn channels(headers: &[Header]) -> Vec<Channel> {
+    let in_part = |(part, header): (usize, &Header)| -> Vec<Channel> {
+        let own_name = header.own_attributes.layer_name.as_ref().map(ToString::to_string).unwrap_or_default();
+        let name = |channel: &str| match own_name.as_str() {
+            own if headers.len() > 1 && !own.is_empty() => format!("{own}.{channel}"),
+            _ => channel.to_owned(),
+        };
+        let list = header.channels.list.iter().enumerate();
+        list.map(|(index, channel)| Channel { part, index, name: name(&channel.name.to_string()) }).collect()
+    };
+    headers.iter().enumerate().flat_map(in_part).collect()
+}
+
+/// The channel asked for; else the one whose name says what is looked for, a single one, or the grey or red of a picture.
+fn choose_channel<'a>(
+    all: &'a [Channel],
+    kind: PlaneKind,
+    wanted: Option<&str>,
+) -> Result<&'a Channel, PhotoErrorKind> {
+    let names = || all.iter().map(|channel| channel.name.clone()).collect();
+    if let Some(wanted) = wanted {
+        let found = all.iter().find(|channel| channel.name.eq_ignore_ascii_case(wanted));
+        return found.ok_or_else(|| PhotoErrorKind::NoSuchLayer { wanted: wanted.to_owned(), layers: names() });
+    }
+    let plain = |name: &str| name.to_ascii_lowercase().replace(['_', '-', ' '], "");
+    let is_named = |channel: &&Channel| kind.names().iter().any(|name| plain(&channel.name).contains(name));
+    let is_called = |wanted: &'static str| move |channel: &&Channel| channel.name.eq_ignore_ascii_case(wanted);
+    let mut of_surface = all.iter().filter(|channel| !is_called("A")(channel));
+    let single = of_surface.next().filter(|_| of_surface.next().is_none());
+    let found = all.iter().find(is_named).or(single).or_else(|| all.iter().find(is_called("Y")));
+    found.or_else(|| all.iter().find(is_called("R"))).ok_or_else(|| PhotoErrorKind::ChooseLayer { layers: names() })
 }
 
 /// The blocks of a part at full resolution.

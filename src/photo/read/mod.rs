@@ -6,6 +6,7 @@
 mod alpha;
 mod cicp;
 mod colour;
+mod data;
 mod exif;
 mod exr;
 mod hdr;
@@ -28,6 +29,7 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use self::colour::Colour;
+pub(super) use self::data::plane;
 use self::sniff::Format;
 use super::census::Census;
 use super::orientation::Orientation;

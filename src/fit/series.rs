@@ -1,0 +1,67 @@
+//! A polynomial correction on Schlick's curve, fitted to a known curve.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::color::Rgb;
+use crate::fresnel::{CosTheta, SchlickSeries, schlick};
+
+/// The series with `count` coefficients nearest to samples (angle, F), r being kept: linear least squares by QR.
+///
+/// More samples towards both ends keep the curve from swinging between them; fewer samples than coefficients leave it
+/// Schlick's.
+pub fn series_by_least_squares(samples: &[(CosTheta, Rgb)], r: Rgb, first_power: u32, count: usize) -> SchlickSeries {
+    let x = |cos_theta: CosTheta| 1.0 - cos_theta.get();
+    let basis = DMatrix::from_fn(samples.len(), count, |row, column| {
+        let cos_theta = samples[row].0;
+        cos_theta.get() * x(cos_theta).powi(first_power.cast_signed() + column as i32)
+    });
+    let qr = basis.qr();
+    let (q, upper) = (qr.q(), qr.r());
+    let of_channel = |channel: usize| {
+        let rest = samples.iter().map(|(c, f)| f[channel] - schlick(r[channel], *c));
+        let rest = DVector::from_iterator(samples.len(), rest);
+        let solved = (samples.len() >= count).then(|| upper.solve_upper_triangular(&q.tr_mul(&rest))).flatten();
+        solved.unwrap_or_else(|| DVector::zeros(count))
+    };
+    let channels = [0, 1, 2].map(of_channel);
+    let coefficient = |index: usize| Rgb(std::array::from_fn(|channel| channels[channel][index]));
+    SchlickSeries { r, first_power, coefficients: (0..count).map(coefficient).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::color::{RgbSpace, delta_e_rgb};
+    use crate::fresnel::whole_degrees;
+    use crate::metal::preferred_metals;
+
+    #[test]
+    fn a_curve_of_the_series_gives_its_coefficients_back() {
+        let coefficients = vec![Rgb([-2.0, -1.0, 0.5]), Rgb([1.0, 0.5, 0.0]), Rgb([0.3, -0.2, 0.1])];
+        let series = SchlickSeries { r: Rgb([0.9, 0.7, 0.4]), first_power: 6, coefficients };
+        let samples: Vec<_> = whole_degrees().map(|c| (c, series.reflectance(c))).collect();
+        let back = series_by_least_squares(&samples, series.r, 6, 3);
+        for (a, b) in back.coefficients.iter().zip(&series.coefficients) {
+            assert!(a.max_abs_difference(*b) < 1e-8, "{a:?} {b:?}");
+        }
+    }
+
+    /// Ten coefficients stand for any metal of the library, the alkali metals included, at and between the samples.
+    #[test]
+    fn ten_coefficients_are_the_metal() {
+        let space = RgbSpace::LinRec709;
+        for metal in preferred_metals() {
+            let at = |cos_theta: CosTheta| (cos_theta, metal.reflectance(cos_theta, space));
+            let samples: Vec<_> =
+                (0..=128).map(|i| at(CosTheta::new((f64::from(i) / 256.0 * PI).sin().powi(2)))).collect();
+            let series = series_by_least_squares(&samples, metal.r(space), 1, 10);
+            for half in 0..=180 {
+                let (c, truth) = at(CosTheta::from_deg(f64::from(half) / 2.0));
+                let off = delta_e_rgb(series.reflectance(c), truth, space);
+                assert!(off <= 0.03, "{} at {}°: {off}", metal.id, c.deg());
+            }
+        }
+    }
+}

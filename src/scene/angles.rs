@@ -1,0 +1,112 @@
+//! How often each angle is seen.
+
+use std::sync::LazyLock;
+
+use crate::fresnel::CosTheta;
+
+/// Number of angles a distribution keeps: even steps of √c, which are fine towards grazing, where models differ.
+pub const NODES: usize = 257;
+
+static COSINES: LazyLock<[CosTheta; NODES]> =
+    LazyLock::new(|| std::array::from_fn(|node| CosTheta::new((node as f64 / (NODES - 1) as f64).powi(2))));
+
+/// The cosines of the nodes, from grazing to facing.
+pub fn node_cosines() -> &'static [CosTheta; NODES] {
+    &COSINES
+}
+
+/// A histogram over the cosine of the angle of incidence.
+///
+/// What is seen between two nodes is shared by both so that its mean cosine stays: a mean over the nodes is a mean
+/// over what was seen, and the nodes that were touched enclose every angle that was.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angles {
+    weights: Box<[f64; NODES]>,
+}
+
+impl Default for Angles {
+    fn default() -> Self {
+        Self { weights: Box::new([0.0; NODES]) }
+    }
+}
+
+impl Angles {
+    /// Adds something seen at an angle, by its share of the picture; only finite weights above 0 count.
+    pub fn add(&mut self, cos_theta: CosTheta, weight: f64) {
+        let valid = if weight.is_finite() { weight.max(0.0) } else { 0.0 };
+        let below = ((cos_theta.get().sqrt() * (NODES - 1) as f64).floor() as usize).min(NODES - 2);
+        let [low, high] = [below, below + 1].map(|node| COSINES[node].get());
+        let share = ((cos_theta.get() - low) / (high - low)).clamp(0.0, 1.0);
+        self.weights[below] += valid * (1.0 - share);
+        self.weights[below + 1] += valid * share;
+    }
+
+    /// Adds what another distribution has seen.
+    pub fn merge(&mut self, other: &Self) {
+        self.weights.iter_mut().zip(other.weights.iter()).for_each(|(weight, more)| *weight += more);
+    }
+
+    /// The weight of each node, from grazing to facing.
+    pub fn weights(&self) -> &[f64; NODES] {
+        &self.weights
+    }
+
+    /// Everything that was seen.
+    pub fn total(&self) -> f64 {
+        self.weights.iter().sum()
+    }
+
+    /// True where nothing was seen.
+    pub fn is_empty(&self) -> bool {
+        self.weights.iter().all(|weight| *weight == 0.0)
+    }
+
+    /// The nodes that were seen, with their weights, from grazing to facing.
+    pub fn seen(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.weights.iter().copied().enumerate().filter(|(_, weight)| *weight > 0.0)
+    }
+
+    /// The smallest and the largest angle of the nodes that were seen, in degrees.
+    pub fn range_deg(&self) -> Option<(f64, f64)> {
+        let (largest, _) = self.seen().next()?;
+        let (smallest, _) = self.seen().last()?;
+        Some((COSINES[smallest].deg(), COSINES[largest].deg()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn weight_and_mean_cosine_are_kept(cosines in prop::collection::vec(0.0..=1.0_f64, 1..40)) {
+            let mut angles = Angles::default();
+            cosines.iter().for_each(|c| angles.add(CosTheta::new(*c), 1.0));
+            let mean: f64 = angles.seen().map(|(node, weight)| weight * node_cosines()[node].get()).sum();
+            prop_assert!((angles.total() - cosines.len() as f64).abs() < 1e-9);
+            prop_assert!((mean - cosines.iter().sum::<f64>()).abs() < 1e-9);
+            let (smallest, largest) = angles.range_deg().unwrap();
+            for c in cosines {
+                let deg = CosTheta::new(c).deg();
+                prop_assert!(smallest <= deg + 1e-6 && deg <= largest + 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn a_node_is_seen_alone_and_nothing_by_what_is_no_weight() {
+        let mut angles = Angles::default();
+        for weight in [f64::NAN, -1.0, f64::INFINITY, 0.0] {
+            angles.add(CosTheta::MAX, weight);
+        }
+        assert!(angles.is_empty() && angles.range_deg().is_none());
+        angles.add(CosTheta::FACING, 2.0);
+        assert_eq!(angles.seen().collect::<Vec<_>>(), [(NODES - 1, 2.0)]);
+        let mut both = angles.clone();
+        both.merge(&angles);
+        assert_eq!(both.total(), 4.0);
+    }
+}

@@ -1,0 +1,180 @@
+//! Cost against accuracy: every variant of one material or of many, and those that nothing beats.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::{CostAxis, Costs, Measure, StudyError, Subject, Variant, forms, true_reflectance};
+use crate::color::{RgbSpace, delta_e_rgb};
+use crate::fresnel::whole_degrees;
+use crate::number::largest;
+
+/// What is compared.
+#[derive(Clone, Debug, Default)]
+pub struct TradeOptions {
+    /// The space of parameters and differences.
+    pub space: RgbSpace,
+    /// Which cost the front is of.
+    pub cost: CostAxis,
+    /// Which error the front is of.
+    pub measure: Measure,
+    /// What the variants cost.
+    pub costs: Costs,
+}
+
+/// One variant over the materials that have it. The field names are stable.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TradeRow {
+    /// The variant.
+    pub variant: Variant,
+    /// Number of materials.
+    pub materials: usize,
+    /// Nanoseconds of one RGB evaluation on this machine; `None` where it was not measured.
+    pub measured_ns: Option<f64>,
+    /// Shader operations of one RGB evaluation.
+    pub shader_operations: u32,
+    /// Bytes of the parameters of one material.
+    pub parameter_bytes: u64,
+    /// Mean CIEDE2000 over materials and 0°, 1°, …, 90°.
+    pub mean_delta_e: f64,
+    /// What 95 % of these stay within.
+    pub p95_delta_e: f64,
+    /// The largest of these.
+    pub max_delta_e: f64,
+    /// The material with the largest.
+    pub worst: String,
+    /// True where no other variant is as cheap and nearer to the truth.
+    pub is_on_front: bool,
+}
+
+impl TradeRow {
+    /// One of the errors.
+    pub const fn error(&self, measure: Measure) -> f64 {
+        match measure {
+            Measure::Mean => self.mean_delta_e,
+            Measure::P95 => self.p95_delta_e,
+            Measure::Max => self.max_delta_e,
+        }
+    }
+}
+
+/// Errors of one variant of one material at the whole degrees.
+type Errors = (Variant, Vec<f64>);
+
+/// Measures every variant of every material, the cheapest first. `progress` breaks to stop.
+pub fn trade(
+    subjects: &[Subject<'_>],
+    options: &TradeOptions,
+    progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync),
+) -> Result<Vec<TradeRow>, StudyError> {
+    let done = AtomicUsize::new(0);
+    let of_subject = |subject: &Subject<'_>| {
+        let share = || done.load(Ordering::Relaxed) as f32 / subjects.len() as f32;
+        let errors = errors(subject, options.space, &mut || progress(share()));
+        done.fetch_add(1, Ordering::Relaxed);
+        errors
+    };
+    let all: Result<Vec<Vec<Errors>>, StudyError> = subjects.par_iter().map(of_subject).collect();
+    let all = all?;
+    let mut rows: Vec<TradeRow> =
+        Variant::ALL.into_iter().filter_map(|variant| row(variant, subjects, &all, options)).collect();
+    let cost = |row: &TradeRow| options.costs.of(row.variant).on(options.cost).unwrap_or(f64::INFINITY);
+    rows.sort_by(|a, b| {
+        (cost(a).total_cmp(&cost(b))).then(a.error(options.measure).total_cmp(&b.error(options.measure)))
+    });
+    let mut best = f64::INFINITY;
+    for row in &mut rows {
+        row.is_on_front = cost(row).is_finite() && row.error(options.measure) < best;
+        best = best.min(row.error(options.measure));
+    }
+    Ok(rows)
+}
+
+fn errors(
+    subject: &Subject<'_>,
+    space: RgbSpace,
+    keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Vec<Errors>, StudyError> {
+    let truth: Vec<_> = whole_degrees().map(|c| true_reflectance(subject, c, space)).collect();
+    let forms = forms(subject, Variant::of(subject), space, keep_going)?;
+    let of = |form: super::FormOfVariant| {
+        let pairs = whole_degrees().zip(&truth);
+        (form.variant, pairs.map(|(c, truth)| delta_e_rgb(form.form.reflectance(c), *truth, space)).collect())
+    };
+    Ok(forms.into_iter().map(of).collect())
+}
+
+fn row(variant: Variant, subjects: &[Subject<'_>], all: &[Vec<Errors>], options: &TradeOptions) -> Option<TradeRow> {
+    let of = |errors: &Vec<Errors>| errors.iter().find(|(own, _)| *own == variant).map(|(_, values)| values.clone());
+    let named: Vec<(String, Vec<f64>)> =
+        subjects.iter().zip(all).filter_map(|(subject, errors)| Some((subject.name(), of(errors)?))).collect();
+    let worst =
+        named.iter().max_by(|(_, a), (_, b)| largest(a.iter().copied()).total_cmp(&largest(b.iter().copied())))?;
+    let mut values: Vec<f64> = named.iter().flat_map(|(_, values)| values).copied().collect();
+    values.sort_by(f64::total_cmp);
+    let cost = options.costs.of(variant);
+    Some(TradeRow {
+        variant,
+        materials: named.len(),
+        measured_ns: cost.measured_ns,
+        shader_operations: cost.shader_operations,
+        parameter_bytes: cost.parameter_bytes,
+        mean_delta_e: values.iter().sum::<f64>() / values.len() as f64,
+        p95_delta_e: values[((values.len() as f64 * 0.95).ceil() as usize).clamp(1, values.len()) - 1],
+        max_delta_e: largest(values.iter().copied()),
+        worst: worst.0.clone(),
+        is_on_front: false,
+    })
+}
+
+/// What the front says: how near one comes for how much.
+pub fn trade_summary(rows: &[TradeRow], options: &TradeOptions) -> String {
+    let told = rows.iter().filter(|row| row.is_on_front).map(|row| {
+        let cost = options.costs.of(row.variant).on(options.cost).unwrap_or(f64::NAN);
+        format!("{} {} at {cost:.0}", row.variant, error_text(row.error(options.measure)))
+    });
+    format!("{} against {}: {}.", options.measure.label(), options.cost.id(), told.collect::<Vec<_>>().join("; "))
+}
+
+fn error_text(value: f64) -> String {
+    if value > 0.0 && value < 0.01 { "below 0.01".to_owned() } else { format!("{value:.2}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metal::{metal_by_name, preferred_metals};
+    use crate::study::no_progress;
+
+    #[test]
+    fn the_front_falls_from_constant_to_exact() {
+        let gold = [Subject::Metal(metal_by_name("gold").unwrap())];
+        for measure in Measure::ALL {
+            let options = TradeOptions { measure, ..TradeOptions::default() };
+            let rows = trade(&gold, &options, &no_progress).unwrap();
+            assert_eq!(rows.len(), Variant::ALL.len());
+            let front: Vec<&TradeRow> = rows.iter().filter(|row| row.is_on_front).collect();
+            assert!(front.windows(2).all(|pair| pair[0].error(measure) > pair[1].error(measure)));
+            assert_eq!((front[0].variant, front.last().unwrap().variant), (Variant::CONSTANT, Variant::Exact));
+            for row in &rows {
+                let beaten = front
+                    .iter()
+                    .any(|f| f.shader_operations <= row.shader_operations && f.error(measure) <= row.error(measure));
+                assert!(beaten, "{}", row.variant);
+            }
+        }
+    }
+
+    #[test]
+    fn many_materials_are_one_point_each_variant() {
+        let some: Vec<Subject<'_>> = preferred_metals().take(3).map(Subject::Metal).collect();
+        let rows = trade(&some, &TradeOptions::default(), &no_progress).unwrap();
+        assert!(rows.iter().all(|row| row.materials == 3 && row.mean_delta_e <= row.max_delta_e));
+        assert!(rows.iter().all(|row| row.p95_delta_e <= row.max_delta_e));
+        let times = TradeOptions { cost: CostAxis::MeasuredNs, ..TradeOptions::default() };
+        let rows = trade(&some[..1], &times, &no_progress).unwrap();
+        assert!(rows.iter().all(|row| !row.is_on_front), "nothing was measured");
+    }
+}

@@ -1,0 +1,104 @@
+//! `edgewise plan`, `edgewise study trade`, and export by a plan.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::run::{edgewise, json, quiet, refusal, stderr};
+
+fn grey_png(path: &Path, size: u32, value: impl Fn(u32, u32) -> u16) {
+    let picture = image::ImageBuffer::from_fn(size, size, |x, y| image::Luma([value(x, y)]));
+    picture.save(path).unwrap();
+}
+
+/// The facing ratio of a ball, 16 bits, and ids: 1 on the left, 2 on the right.
+fn ball(folder: &Path) -> (String, String) {
+    let size = 64;
+    let (ratio, ids) = (folder.join("facing.png"), folder.join("ids.png"));
+    let to_radii = |pixel: u32| (f64::from(pixel) + 0.5) * 2.0 / f64::from(size) - 1.0;
+    grey_png(&ratio, size, |x, y| {
+        let squared = to_radii(x).powi(2) + to_radii(y).powi(2);
+        ((1.0 - squared).max(0.0).sqrt() * 65535.0) as u16
+    });
+    grey_png(&ids, size, |x, _| if x < size / 2 { 1 } else { 2 });
+    (ratio.to_str().unwrap().to_owned(), ids.to_str().unwrap().to_owned())
+}
+
+fn chosen(plan: &Value) -> Vec<&str> {
+    plan["materials"].as_array().unwrap().iter().map(|material| material["chosen"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn a_material_below_60_degrees_needs_no_h() {
+    let plan = json(&["plan", "gold@card:0-60", "copper@card:0-60", "zinc@sphere", "--tolerance", "2", "--json"]);
+    let chosen = chosen(&plan);
+    assert!(["constant:exact", "schlick:exact"].contains(&chosen[0]), "{chosen:?}");
+    assert!(["constant:exact", "schlick:exact"].contains(&chosen[1]), "{chosen:?}");
+    assert!(!["constant:exact", "schlick:exact"].contains(&chosen[2]), "{chosen:?}");
+    let saves = &plan["saves"]["shader_operations"];
+    assert!(saves["planned"].as_f64().unwrap() < saves["exact"].as_f64().unwrap() / 100.0);
+    let text = quiet(&["plan", "gold@card:0-60", "--tolerance", "2"]);
+    assert!(text.contains("Card tilted by 0–60°") && text.contains("1 of 1 materials need no h"), "{text}");
+}
+
+#[test]
+fn a_pass_with_ids_gives_each_material_its_angles() {
+    let folder = tempfile::tempdir().unwrap();
+    let (ratio, ids) = ball(folder.path());
+    let plan = json(&["plan", "gold@id:1", "iron@id:2", "--pass", &ratio, "--ids", &ids, "--json"]);
+    for material in plan["materials"].as_array().unwrap() {
+        assert!((material["share"].as_f64().unwrap() - 0.5).abs() < 1e-9, "{material}");
+    }
+    let whole = json(&["plan", "gold", "iron", "--pass", &ratio, "--json"]);
+    assert_eq!(whole["materials"][0]["seen_deg"], whole["materials"][1]["seen_deg"]);
+    assert!(whole["scene"].as_str().unwrap().contains("64 × 64 pixels of channel Y"));
+    let one = edgewise(&["plan", "gold@id:1", "--pass", &ratio, "--ids", &ids]);
+    assert!(stderr(&one).contains("belong to no material"), "{}", stderr(&one));
+    let unnamed = refusal(1, &["plan", "gold@id:1", "iron", "--pass", &ratio, "--ids", &ids]);
+    assert!(unnamed.contains("gold@id:7"), "{unnamed}");
+}
+
+#[test]
+fn nonsense_is_refused_in_a_sentence() {
+    for (arguments, reason) in [
+        (["plan", "gold@cube", "--tolerance", "1"], "no shape"),
+        (["plan", "unobtainium", "--tolerance", "1"], "unobtainium"),
+        (["plan", "gold@id:1", "--tolerance", "1"], "--pass"),
+        (["plan", "gold", "--pass", "no.exr"], "no.exr"),
+    ] {
+        assert!(refusal(1, &arguments).contains(reason), "{arguments:?}");
+    }
+    assert!(refusal(2, &["plan", "gold", "--tolerance", "-1"]).contains("at least 0"));
+    refusal(2, &["plan"]);
+}
+
+#[test]
+fn a_plan_drives_an_export_without_h() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = folder.path().join("plan.json");
+    let plan = plan.to_str().unwrap();
+    quiet(&["plan", "gold@card:0-45", "chromium@sphere", "--tolerance", "0.8", "-o", plan]);
+    let out = folder.path().join("out");
+    let out = out.to_str().unwrap();
+    let exported = json(&["export", "--plan", plan, "--to", "glsl", "-o", out, "--json"]);
+    assert_eq!(exported[0]["files"].as_array().unwrap().len(), 2);
+    let gold = fs::read_to_string(Path::new(out).join("gold.glsl")).unwrap();
+    assert!(!gold.contains("vec3 h"), "{gold}");
+    let chromium = fs::read_to_string(Path::new(out).join("chromium.glsl")).unwrap();
+    assert!(chromium.contains("vec3 h"), "{chromium}");
+    assert!(refusal(1, &["export", "--plan", "no.json", "--to", "glsl"]).contains("no.json"));
+}
+
+#[test]
+fn the_trade_is_a_table_and_a_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let figure = folder.path().join("trade.svg");
+    let rows = json(&["study", "trade", "gold", "--plot", figure.to_str().unwrap(), "--json"]);
+    let rows = rows.as_array().unwrap();
+    let on_front = |row: &&Value| row["is_on_front"] == true;
+    assert!(rows.len() > 15 && rows.iter().filter(on_front).count() > 3);
+    assert!(fs::read_to_string(figure).unwrap().contains("Shader operations"));
+    let bytes = quiet(&["study", "trade", "gold", "--cost", "parameter-bytes", "--on", "mean"]);
+    assert!(bytes.contains("mean ΔE against parameter-bytes"), "{bytes}");
+}
