@@ -100,7 +100,7 @@ fn marks_that_leave_the_picture_or_miss_the_edge_are_said() {
     let studio = DEFAULT();
     let too_small = MatchRequest { circle: Some(Circle::new(130.0, 128.0, 100.0)), ..studio.request() };
     assert!(codes(&studio.solve_as(&too_small)).contains(&WarningCode::Geometry));
-    let half_outside = vec![Card { area: "290,100,40,40".parse().unwrap(), reflectance: 0.9 }];
+    let half_outside = vec![Card::neutral("290,100,40,40".parse().unwrap(), 0.9)];
     let found = studio.solve_as(&MatchRequest { cards: half_outside, ..studio.request() });
     assert!(codes(&found).contains(&WarningCode::Geometry));
 }

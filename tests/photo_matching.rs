@@ -157,7 +157,7 @@ fn a_grey_scale_undoes_the_tone_curve() {
         stored: Stored::Jpeg,
         ..Studio::default()
     };
-    let greys: Vec<Card> = neutrals.map(|(i, reflectance)| Card { area: inside(step(i)), reflectance }).collect();
+    let greys: Vec<Card> = neutrals.map(|(i, reflectance)| Card::neutral(inside(step(i)), reflectance)).collect();
     let cards = vec![greys[0]];
     let plain = MatchRequest { cards: cards.clone(), ..studio.request() };
     let scaled = MatchRequest { cards, greys, ..studio.request() };

@@ -75,6 +75,7 @@ impl MarkArguments {
             backdrop: self.backdrop,
             light: self.light,
             greys: self.greys.clone(),
+            grey_corners: None,
         };
         request.mode = self.mode.or_else(|| request.suggested_mode()).unwrap_or_default();
         Ok(request)

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, ThemePreference, Ui, ViewportCommand, gui_zoom};
 
 use super::command::{Action, Command};
+use super::copying::CopyForm;
 use super::demonstrations::Piece;
 use super::document::Document;
 use super::file_dialog::{FileDialog, Outcome, Purpose};
@@ -15,7 +16,6 @@ use super::prompt::{Among, Answer, Prompt};
 use super::recovery::{LeftBehind, Recovery};
 use super::state::{NoticeKind, Page, State};
 use super::{panels, theme};
-use crate::color::Rgb;
 use crate::metal::{Metal, metal_by_name};
 use crate::preset::Preset;
 use crate::sample::Sample;
@@ -134,6 +134,12 @@ impl App {
                 }
             }
             Action::AddMetal(path) => self.add_metal(ctx, path),
+            Action::ChooseReferenceMetal => self.prompt = Some(Prompt::find(Among::ReferenceMetals)),
+            Action::SetReferenceMetal(metal) => {
+                if let Some(session) = &mut self.state.photograph {
+                    session.set_reference_metal(metal);
+                }
+            }
             Action::CompareWith(metal) => {
                 self.state.view.metal = Some(metal);
                 self.state.page = Page::Author;
@@ -183,8 +189,13 @@ impl App {
                 self.state.document.redo();
                 self.marks_from_preset();
             }
-            Command::CopyR => ctx.copy_text(linear_words(self.state.document.preset.r)),
-            Command::CopyH => ctx.copy_text(linear_words(self.state.document.preset.h)),
+            Command::CopyR => self.copy(ctx, "r", CopyForm::Linear),
+            Command::CopyRSrgb => self.copy(ctx, "r", CopyForm::Srgb),
+            Command::CopyRHex => self.copy(ctx, "r", CopyForm::Hex),
+            Command::CopyH => self.copy(ctx, "h", CopyForm::Linear),
+            Command::CopyHSrgb => self.copy(ctx, "h", CopyForm::Srgb),
+            Command::CopyHHex => self.copy(ctx, "h", CopyForm::Hex),
+            Command::ShowPhotograph => self.state.page = Page::Photograph,
             Command::ShowAuthor => self.state.page = Page::Author,
             Command::ShowMetals => self.state.page = Page::Metals,
             Command::ShowDemonstrations => self.state.page = Page::Demonstrations,
@@ -202,10 +213,30 @@ impl App {
         }
     }
 
+    /// Copies a colour of the preset; says so when the copy holds less than the colour.
+    fn copy(&mut self, ctx: &Context, symbol: &str, form: CopyForm) {
+        let Preset { r, h, space, .. } = self.state.document.preset;
+        let colour = if symbol == "r" { r } else { h };
+        ctx.copy_text(form.words(colour, space));
+        if form.is_clipped(colour, space) {
+            let sentence = format!("{symbol} lies outside sRGB: the nearest colour that sRGB has was copied.");
+            self.state.notify(NoticeKind::Warning, sentence);
+        }
+    }
+
     /// The marks are part of what a preset was matched from, so undoing that moves them back.
     fn marks_from_preset(&mut self) {
         if let Some(session) = &mut self.state.photograph {
             session.take_marks_of(&self.state.document.preset);
+        }
+    }
+
+    /// A preset that has just been opened is not solved over by a photograph it was not matched from.
+    fn meet_photograph(&mut self) {
+        if let Some(session) = &mut self.state.photograph
+            && !session.take_marks_of(&self.state.document.preset)
+        {
+            session.is_followed = false;
         }
     }
 
@@ -293,6 +324,7 @@ impl App {
                 Poll::Working => self.loading = Some(job),
                 Poll::Done(Ok((preset, warnings))) => {
                     self.state.document = Document::new(preset, Some(job.input.clone()));
+                    self.meet_photograph();
                     for warning in warnings {
                         self.state.notify(NoticeKind::Warning, warning);
                     }
@@ -323,6 +355,9 @@ impl App {
             Poll::Done(Ok(loaded)) => {
                 let session = Session::new(job.input.clone(), loaded, &self.state.document.preset);
                 self.state.photograph = Some(session);
+                if self.state.page == Page::Metals {
+                    self.state.page = Page::Photograph;
+                }
             }
             Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
             Poll::Lost => self.state.notify(NoticeKind::Error, lost("opening", Path::new(&job.input.name()))),
@@ -333,9 +368,11 @@ impl App {
     fn follow_photograph(&mut self, ctx: &Context) {
         let Some(session) = &mut self.state.photograph else { return };
         let preset = &mut self.state.document.preset;
+        session.outline(ctx);
         if let Some(found) = session.solve(ctx, preset.space).filter(|_| session.is_followed) {
             session.apply(&found, preset);
         }
+        session.compare(ctx);
     }
 
     fn saved(&mut self, ctx: &Context, saving: Saving) {
@@ -388,6 +425,11 @@ impl App {
         Panel::bottom("status").frame(bar).show(ui, |ui| panels::status_bar::show(ui, &self.state));
         match self.state.page {
             Page::Author => self.author_page(ui, side, actions),
+            Page::Photograph => {
+                let reading = self.reading.as_ref().map(|job| (job.input.name(), job.progress()));
+                let reading = reading.as_ref().map(|(name, progress)| (name.as_str(), *progress));
+                panels::photograph::page(ui, &mut self.state, reading, side, actions);
+            }
             Page::Metals => panels::metals::show(ui, &mut self.state, actions),
             Page::Demonstrations => panels::demonstrations::show(ui, &mut self.state, actions),
         }
@@ -466,7 +508,7 @@ impl App {
         let (time, is_pointer_down) = ctx.input(|input| (input.time, input.pointer.any_down()));
         // A match on its way still belongs to the step that asked for it.
         let is_solving =
-            self.state.photograph.as_ref().is_some_and(|session| session.is_followed && session.is_solving());
+            self.state.photograph.as_ref().is_some_and(|session| session.is_followed && session.is_settling());
         let document = &mut self.state.document;
         document.history.feed(time, is_pointer_down || is_solving, &document.preset);
         if document.history.is_waiting() {
@@ -512,11 +554,6 @@ fn has_extension(path: &Path, known: &[&str]) -> bool {
 
 fn lost(doing: &str, path: &Path) -> String {
     format!("{}: {doing} it ended unexpectedly; the terminal may say more", path.display())
-}
-
-/// Three numbers as renderers' colour fields take them.
-fn linear_words(rgb: Rgb) -> String {
-    rgb.0.map(|value| value.to_string()).join(", ")
 }
 
 impl eframe::App for App {

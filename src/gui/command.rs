@@ -35,12 +35,22 @@ pub enum Command {
     Undo,
     /// Makes the step again.
     Redo,
-    /// Copies r.
+    /// Copies r as linear numbers.
     CopyR,
-    /// Copies h.
+    /// Copies r as 8-bit sRGB.
+    CopyRSrgb,
+    /// Copies r as an sRGB hex code.
+    CopyRHex,
+    /// Copies h as linear numbers.
     CopyH,
+    /// Copies h as 8-bit sRGB.
+    CopyHSrgb,
+    /// Copies h as an sRGB hex code.
+    CopyHHex,
     /// Shows the page of the preset.
     ShowAuthor,
+    /// Shows the page on which the photograph is large.
+    ShowPhotograph,
     /// Shows the page of metals.
     ShowMetals,
     /// Shows the page of demonstrations.
@@ -68,7 +78,7 @@ type Menu = (&'static str, &'static [&'static [Command]]);
 
 impl Command {
     /// Every command, in menu order.
-    pub const ALL: [Self; 24] = [
+    pub const ALL: [Self; 29] = [
         Self::New,
         Self::Open,
         Self::OpenPath,
@@ -81,8 +91,13 @@ impl Command {
         Self::Undo,
         Self::Redo,
         Self::CopyR,
+        Self::CopyRSrgb,
+        Self::CopyRHex,
         Self::CopyH,
+        Self::CopyHSrgb,
+        Self::CopyHHex,
         Self::ShowAuthor,
+        Self::ShowPhotograph,
         Self::ShowMetals,
         Self::ShowDemonstrations,
         Self::Compare,
@@ -106,11 +121,19 @@ impl Command {
                 &[Self::Quit],
             ],
         ),
-        ("Edit", &[&[Self::Undo, Self::Redo], &[Self::CopyR, Self::CopyH], &[Self::Find]]),
+        (
+            "Edit",
+            &[
+                &[Self::Undo, Self::Redo],
+                &[Self::CopyR, Self::CopyRSrgb, Self::CopyRHex],
+                &[Self::CopyH, Self::CopyHSrgb, Self::CopyHHex],
+                &[Self::Find],
+            ],
+        ),
         (
             "View",
             &[
-                &[Self::ShowAuthor, Self::ShowMetals, Self::ShowDemonstrations],
+                &[Self::ShowAuthor, Self::ShowPhotograph, Self::ShowMetals, Self::ShowDemonstrations],
                 &[Self::Compare, Self::CompareNone],
                 &[Self::ToggleGrazing],
                 &[Self::ToggleTheme],
@@ -133,9 +156,14 @@ impl Command {
             Self::Quit => "Quit",
             Self::Undo => "Undo",
             Self::Redo => "Redo",
-            Self::CopyR => "Copy r",
-            Self::CopyH => "Copy h",
+            Self::CopyR => "Copy r, linear",
+            Self::CopyRSrgb => "Copy r, sRGB 8-bit",
+            Self::CopyRHex => "Copy r, sRGB hex code",
+            Self::CopyH => "Copy h, linear",
+            Self::CopyHSrgb => "Copy h, sRGB 8-bit",
+            Self::CopyHHex => "Copy h, sRGB hex code",
             Self::ShowAuthor => "Author page",
+            Self::ShowPhotograph => "Photograph page",
             Self::ShowMetals => "Metals page",
             Self::ShowDemonstrations => "Demonstrations page",
             Self::Compare => "Compare with metal…",
@@ -164,8 +192,13 @@ impl Command {
             Self::Undo => "Take back the last change",
             Self::Redo => "Make the change again",
             Self::CopyR => "Copy the facing colour as linear numbers in the preset's space",
+            Self::CopyRSrgb => "Copy the facing colour as three 8-bit sRGB numbers",
+            Self::CopyRHex => "Copy the facing colour as an sRGB hex code",
             Self::CopyH => "Copy the edge colour as linear numbers in the preset's space",
+            Self::CopyHSrgb => "Copy the edge colour as three 8-bit sRGB numbers",
+            Self::CopyHHex => "Copy the edge colour as an sRGB hex code",
             Self::ShowAuthor => "Author a preset, by hand or from a photograph",
+            Self::ShowPhotograph => "Mark a photograph, and hold it against the rendered match",
             Self::ShowMetals => "Look at measured metals and how far models are from them",
             Self::ShowDemonstrations => "See why r and h, on your own preset or metal",
             Self::Compare => "Draw the measured truth of a metal beneath the preset",
@@ -196,6 +229,7 @@ impl Command {
             Self::CopyR => (COMMAND_SHIFT, Key::R),
             Self::CopyH => (COMMAND_SHIFT, Key::H),
             Self::ShowAuthor => (Modifiers::COMMAND, Key::Num1),
+            Self::ShowPhotograph => (Modifiers::COMMAND, Key::P),
             Self::ShowMetals => (Modifiers::COMMAND, Key::Num2),
             Self::ShowDemonstrations => (Modifiers::COMMAND, Key::Num3),
             Self::Compare => (Modifiers::COMMAND, Key::M),
@@ -205,7 +239,12 @@ impl Command {
             Self::ZoomOut => (Modifiers::COMMAND, Key::Minus),
             Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
             Self::Find => (Modifiers::COMMAND, Key::K),
-            Self::SavePath | Self::CompareNone => return None,
+            Self::SavePath
+            | Self::CopyRSrgb
+            | Self::CopyRHex
+            | Self::CopyHSrgb
+            | Self::CopyHHex
+            | Self::CompareNone => return None,
         };
         Some(KeyboardShortcut::new(modifiers, key))
     }
@@ -237,6 +276,7 @@ impl Command {
     pub(crate) const fn show(page: Page) -> Self {
         match page {
             Page::Author => Self::ShowAuthor,
+            Page::Photograph => Self::ShowPhotograph,
             Page::Metals => Self::ShowMetals,
             Page::Demonstrations => Self::ShowDemonstrations,
         }
@@ -285,6 +325,10 @@ pub(crate) enum Action {
     SavePiece(Piece),
     /// Writes it.
     SavePieceTo(Piece, PathBuf),
+    /// Asks which metal the reference ball is of.
+    ChooseReferenceMetal,
+    /// Says which metal the reference ball is of.
+    SetReferenceMetal(&'static Metal),
 }
 
 impl From<Command> for Action {

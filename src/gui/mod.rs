@@ -6,6 +6,7 @@
 
 mod app;
 mod command;
+mod copying;
 mod demonstrations;
 mod document;
 mod file_dialog;

@@ -55,6 +55,8 @@ pub(crate) enum Among {
     MetalsToCompare,
     /// Materials for a demonstration.
     Materials(Slot),
+    /// Metals that a reference ball may be of.
+    ReferenceMetals,
 }
 
 /// What a person answered.
@@ -179,6 +181,7 @@ fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mu
         Among::MetalsToStartFrom => "Start from a metal",
         Among::MetalsToCompare => "Compare with a metal",
         Among::Materials(_) => "Choose a material",
+        Among::ReferenceMetals => "Metal of the reference ball",
     };
     let step = ui.input_mut(|input| {
         let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
@@ -227,6 +230,7 @@ impl Entry {
             (Self::Sample(sample), _) => Action::OpenSample(sample),
             (Self::Metal(index), Among::MetalsToCompare) => Action::CompareWith(&metals()[*index]),
             (Self::Metal(index), Among::Materials(slot)) => Action::Demonstrate(slot, Choice::Metal(&metals()[*index])),
+            (Self::Metal(index), Among::ReferenceMetals) => Action::SetReferenceMetal(&metals()[*index]),
             (Self::Metal(index), _) => Action::StartFrom(&metals()[*index]),
             (Self::Material(slot, choice), _) => Action::Demonstrate(*slot, *choice),
         }

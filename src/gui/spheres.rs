@@ -181,6 +181,6 @@ fn view_of(wanted: &Wanted) -> Arc<SphereView> {
 }
 
 /// The smallest round end of a scale that holds `max`.
-fn full_scale(max: f64) -> f64 {
+pub(crate) fn full_scale(max: f64) -> f64 {
     [2.0, 5.0, 10.0, 20.0, 50.0].into_iter().find(|scale| *scale >= max).unwrap_or(100.0)
 }

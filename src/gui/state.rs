@@ -75,6 +75,8 @@ pub enum Page {
     /// A preset, by hand or from a photograph.
     #[default]
     Author,
+    /// A photograph, large, with its marks and its match.
+    Photograph,
     /// Measured metals and how far models are from them.
     Metals,
     /// Why r and h: the paper's argument on a person's own metal.
@@ -83,12 +85,13 @@ pub enum Page {
 
 impl Page {
     /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 3] = [Self::Author, Self::Metals, Self::Demonstrations];
+    pub const ALL: [Self; 4] = [Self::Author, Self::Photograph, Self::Metals, Self::Demonstrations];
 
     /// The name on its tab.
     pub const fn label(self) -> &'static str {
         match self {
             Self::Author => "Author",
+            Self::Photograph => "Photograph",
             Self::Metals => "Metals",
             Self::Demonstrations => "Demonstrations",
         }

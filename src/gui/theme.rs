@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use eframe::egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, RichText, Shadow, Stroke,
-    Style, TextStyle, Theme, Ui, Visuals, style::HandleShape, vec2,
+    Style, TextStyle, Theme, Ui, Vec2, Visuals, style::HandleShape, vec2,
 };
 use egui_plot::LineStyle;
 
@@ -35,6 +35,12 @@ pub(crate) const INSPECTOR_WIDTH: f32 = 340.0;
 pub(crate) const LIBRARY_WIDTH: f32 = 250.0;
 /// Width of the words in front of a row of fields.
 pub(crate) const LABEL_WIDTH: f32 = 84.0;
+/// Between the columns of a match: three numbers with their ± just fit.
+pub(crate) const MATCH_GAP: f32 = 10.0;
+/// Width of the tab of a page.
+pub(crate) const TAB_WIDTH: f32 = 92.0;
+/// Width of the name of a mark.
+pub(crate) const MARK_WIDTH: f32 = 104.0;
 /// Side of a sphere preview.
 pub(crate) const SPHERE: f32 = 176.0;
 /// Side of the swatch of a colour editor.
@@ -86,8 +92,18 @@ pub(crate) const GRIP_REACH: f32 = 9.0;
 pub(crate) const LOUPE_GRID: Color32 = Color32::from_gray(0x1c);
 /// Side of the loupe.
 pub(crate) const LOUPE: f32 = 112.0;
+/// The grip of the handle between the photograph and the rendered match.
+pub(crate) const WIPE_GRIP: Vec2 = Vec2::new(7.0, 28.0);
+/// Height of the row that explains false colours.
+pub(crate) const SCALE_ROW: f32 = 20.0;
+/// The bar of false colours in it.
+pub(crate) const SCALE_BAR: Vec2 = Vec2::new(64.0, 8.0);
+/// Height of the tile of a mode, with its letter above its drawing.
+pub(crate) const MODE_TILE: f32 = 50.0;
+/// Height of the letter.
+pub(crate) const MODE_LETTER: f32 = 13.0;
 /// Height of the photograph in its panel.
-pub(crate) const PHOTO_HEIGHT: f32 = 262.0;
+pub(crate) const PHOTO_HEIGHT: f32 = 236.0;
 /// Least and greatest width of the panel of the photograph.
 pub(crate) const PHOTO_WIDTHS: std::ops::RangeInclusive<f32> = 320.0..=640.0;
 

@@ -45,6 +45,10 @@ pub struct MatchRequest {
     /// Neutral patches that undo the camera's tone curve.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub greys: Vec<Card>,
+    /// The corners of the row that the grey patches were laid out in, so that it can be moved again; patches
+    /// alone are read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grey_corners: Option<[[f64; 2]; 4]>,
 }
 
 impl MatchRequest {
@@ -56,7 +60,7 @@ impl MatchRequest {
         LightMode::ALL.into_iter().find(|mode| match mode {
             LightMode::FlatMirror => !self.mirrors.is_empty(),
             LightMode::ReferenceBall => self.reference_ball.is_some() && self.circle.is_some(),
-            LightMode::Card => !self.cards.is_empty(),
+            LightMode::Card => !self.cards.is_empty() || !self.greys.is_empty(),
             LightMode::Backdrop => self.backdrop.is_some() && self.circle.is_some(),
             LightMode::SolvedLight => self.circle.is_some(),
             LightMode::ByEye => self.light.is_some(),

@@ -186,6 +186,6 @@ impl Set {
 fn request(circle: Circle, cards: Vec<([f64; 4], f64)>) -> MatchRequest {
     const MARGIN: f64 = 8.0;
     let inside = |[x, y, w, h]: [f64; 4]| Area::rectangle(x + MARGIN, y + MARGIN, w - 2.0 * MARGIN, h - 2.0 * MARGIN);
-    let cards = cards.into_iter().map(|(bounds, reflectance)| Card { area: inside(bounds), reflectance }).collect();
+    let cards = cards.into_iter().map(|(bounds, reflectance)| Card::neutral(inside(bounds), reflectance)).collect();
     MatchRequest { circle: Some(circle), cards, ..MatchRequest::default() }
 }

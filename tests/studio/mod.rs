@@ -61,6 +61,29 @@ impl Default for Studio {
 impl Studio {
     pub fn photo(&self) -> Photo {
         let [width, height] = self.size;
+        let read =
+            |name: &str, bytes: Vec<u8>| Photo::from_bytes(name, &bytes, &mut |_| ControlFlow::Continue(())).unwrap();
+        match self.stored {
+            Stored::Float => {
+                let linear = self.picture().iter().map(|pixel| pixel.0.map(|value| value as f32)).collect();
+                Photo::from_linear("studio", width, height, linear)
+            }
+            Stored::Png => read("studio.png", self.file()),
+            Stored::Jpeg => read("studio.jpg", self.file()),
+        }
+    }
+
+    /// The picture as a file: a JPEG where it is stored so, else a linear PNG of 16 bits.
+    pub fn file(&self) -> Vec<u8> {
+        let (picture, width) = (self.picture(), self.size[0]);
+        match self.stored {
+            Stored::Jpeg => camera_jpeg(&picture, width, 92).unwrap(),
+            Stored::Float | Stored::Png => linear_png(&picture, width, 16).unwrap(),
+        }
+    }
+
+    fn picture(&self) -> Vec<Rgb> {
+        let [width, height] = self.size;
         let dome = Dome::Tent(self.tent);
         let white = dome.white_radiance(&Vec3::z());
         let patch = |bounds, radiance| Patch { bounds, radiance, corner: 0.0, shadow: (0.0, 0.0) };
@@ -82,21 +105,11 @@ impl Studio {
             patches: std::iter::once(card).chain(others).collect(),
             rays: self.rays,
         };
-        let picture = self.camera.expose(&scene.render(), width);
-        let read =
-            |name: &str, bytes: Vec<u8>| Photo::from_bytes(name, &bytes, &mut |_| ControlFlow::Continue(())).unwrap();
-        match self.stored {
-            Stored::Float => {
-                let linear = picture.iter().map(|pixel| pixel.0.map(|value| value as f32)).collect();
-                Photo::from_linear("studio", width, height, linear)
-            }
-            Stored::Png => read("studio.png", linear_png(&picture, width, 16).unwrap()),
-            Stored::Jpeg => read("studio.jpg", camera_jpeg(&picture, width, 92).unwrap()),
-        }
+        self.camera.expose(&scene.render(), width)
     }
 
     pub fn card(&self) -> Card {
-        Card { area: inside(self.card), reflectance: 0.9 }
+        Card::neutral(inside(self.card), 0.9)
     }
 
     pub fn request(&self) -> MatchRequest {

@@ -1,10 +1,14 @@
 //! Does the window do what a person asks of it? Driven by the names of its controls, without a display.
 
 mod author;
+mod comparison;
 mod demonstrations;
 mod drive;
 mod files;
+mod light_modes;
 mod metals;
 mod photograph;
 mod pictures;
 mod recovery;
+#[path = "../studio/mod.rs"]
+mod studio;

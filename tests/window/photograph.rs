@@ -27,7 +27,7 @@ fn marks(window: &Window) -> MatchRequest {
 
 /// Where a pixel of the photograph is on the screen: the view shows all of it, centred.
 fn on_screen(window: &Window, x: f64, y: f64) -> Pos2 {
-    let view = window.harness.get_by_label_contains("Photograph ").rect();
+    let view = window.harness.get_by_label(&format!("Photograph {}", first_sample().facts.file)).rect();
     let (width, height) = (512.0, 384.0);
     let scale = (view.width() / width).min(view.height() / height);
     view.center() + vec2(x as f32 - width / 2.0, y as f32 - height / 2.0) * scale

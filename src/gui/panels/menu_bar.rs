@@ -17,7 +17,7 @@ pub(crate) fn show(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
         for page in Page::ALL {
             let command = Command::show(page);
             let tab = Button::selectable(state.page == page, theme::title(page.label()))
-                .min_size(Vec2::new(72.0, theme::ROW));
+                .min_size(Vec2::new(theme::TAB_WIDTH, theme::ROW));
             let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default();
             let response = ui.add(tab).on_hover_text(format!("{} ({key})", command.tooltip()));
             if response.accessible_name(page.label()).clicked() {

@@ -3,7 +3,6 @@
 pub(crate) mod curves;
 pub(crate) mod demonstrations;
 pub(crate) mod inspector;
-pub(crate) mod matching;
 pub(crate) mod menu_bar;
 pub(crate) mod metals;
 pub(crate) mod notices;

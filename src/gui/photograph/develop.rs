@@ -57,7 +57,8 @@ fn develop(preview: &Preview, how: Development) -> ColorImage {
     ColorImage::new([preview.width as usize, preview.height as usize], shown.collect())
 }
 
-fn encode(rgb: [f32; 3], gain: f32) -> Color32 {
+/// The 8-bit sRGB code of linear Rec.709 times a gain, limited to what a screen has.
+pub(super) fn encode(rgb: [f32; 3], gain: f32) -> Color32 {
     let [red, green, blue] = rgb.map(|v| (srgb_encode(f64::from((v * gain).clamp(0.0, 1.0))) * 255.0).round() as u8);
     Color32::from_rgb(red, green, blue)
 }

@@ -1,14 +1,25 @@
-//! Marks in the photograph: which there are, and how they are moved.
+//! Marks in the photograph: which there are, and how they are made and taken away.
 
-use crate::photo::{Area, Card, Circle, MatchRequest};
+use super::grey_scale::{corners_of, patches};
+use super::shape::MarkShape;
+use crate::metal::metal_by_name;
+use crate::photo::{Area, Card, Circle, MatchRequest, MirrorPair, ReferenceBall};
 
 /// A mark of a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Mark {
     /// The outline of the ball.
     Ball,
+    /// The outline of a ball of a known metal.
+    Reference,
     /// A card of known reflectance.
     Card(usize),
+    /// A card beside a flat mirror, seen directly.
+    Direct(usize),
+    /// The same card in the mirror.
+    Mirrored(usize),
+    /// The row of neutral patches.
+    GreyScale,
     /// Where r is picked.
     Facing,
     /// Where h is picked.
@@ -17,89 +28,19 @@ pub(crate) enum Mark {
     Backdrop,
 }
 
-/// The outline of a mark, in pixels of the photograph.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum MarkShape {
-    /// A circle.
-    Round(Circle),
-    /// A rectangle: x, y, width, height.
-    Square([f64; 4]),
-}
-
-/// The smallest radius or side a mark may be dragged to, in pixels of the photograph.
-const SMALLEST: f64 = 2.0;
-
-impl MarkShape {
-    fn of_area(area: Area) -> Self {
-        match area {
-            Area::Box { x, y, width, height } => Self::Square([x, y, width, height]),
-            Area::Disc { x, y, radius } => Self::Round(Circle::new(x, y, radius)),
-        }
-    }
-
-    fn area(self) -> Area {
-        match self {
-            Self::Round(Circle { x, y, radius }) => Area::disc(x, y, radius),
-            Self::Square([x, y, width, height]) => Area::rectangle(x, y, width, height),
-        }
-    }
-
-    /// The same shape elsewhere.
-    pub(crate) fn moved(self, dx: f64, dy: f64) -> Self {
-        match self {
-            Self::Round(c) => Self::Round(Circle { x: c.x + dx, y: c.y + dy, ..c }),
-            Self::Square([x, y, width, height]) => Self::Square([x + dx, y + dy, width, height]),
-        }
-    }
-
-    /// The points by which its size is changed: right, bottom, left and top of a circle, corners of a rectangle.
-    pub(crate) fn grips(self) -> [[f64; 2]; 4] {
-        match self {
-            Self::Round(Circle { x, y, radius }) => {
-                [[x + radius, y], [x, y + radius], [x - radius, y], [x, y - radius]]
-            }
-            Self::Square([x, y, w, h]) => [[x, y], [x + w, y], [x + w, y + h], [x, y + h]],
-        }
-    }
-
-    /// The shape after one of its grips was dragged to a point. A circle keeps its opposite side.
-    pub(crate) fn resized(self, grip: usize, [px, py]: [f64; 2]) -> Self {
-        let opposite = self.grips()[(grip + 2) % 4];
-        match self {
-            Self::Round(c) => {
-                let (along, is_across) =
-                    if grip.is_multiple_of(2) { (px - opposite[0], true) } else { (py - opposite[1], false) };
-                let side = if grip < 2 { 1.0 } else { -1.0 };
-                let radius = (along * side / 2.0).max(SMALLEST);
-                let centre = |fixed: f64| fixed + side * radius;
-                if is_across {
-                    Self::Round(Circle { x: centre(opposite[0]), radius, ..c })
-                } else {
-                    Self::Round(Circle { y: centre(opposite[1]), radius, ..c })
-                }
-            }
-            Self::Square(_) => {
-                let [x, y] = [px.min(opposite[0]), py.min(opposite[1])];
-                let size = |a: f64, b: f64| (a - b).abs().max(SMALLEST);
-                Self::Square([x, y, size(px, opposite[0]), size(py, opposite[1])])
-            }
-        }
-    }
-
-    /// True when a point is on the shape or inside.
-    pub(crate) fn contains(self, [px, py]: [f64; 2]) -> bool {
-        match self {
-            Self::Round(Circle { x, y, radius }) => (px - x).hypot(py - y) <= radius,
-            Self::Square([x, y, width, height]) => (x..=x + width).contains(&px) && (y..=y + height).contains(&py),
-        }
-    }
-}
+/// The metal of a new reference ball, until a person says which it is: bearing balls look like it.
+const FIRST_METAL: &str = "chromium";
+/// The angles of the first two mirror pairs: one for h, one for r.
+const FIRST_ANGLES_DEG: [f64; 2] = [82.0, 10.0];
 
 impl Mark {
     /// The marks that a request has, those that are drawn last at the end.
     pub(crate) fn all_of(request: &MatchRequest) -> Vec<Self> {
         let mut marks: Vec<Self> = request.circle.iter().map(|_| Self::Ball).collect();
+        marks.extend(request.reference_ball.iter().map(|_| Self::Reference));
         marks.extend((0..request.cards.len()).map(Self::Card));
+        marks.extend((0..request.mirrors.len()).flat_map(|index| [Self::Direct(index), Self::Mirrored(index)]));
+        marks.extend(request.greys.first().map(|_| Self::GreyScale));
         marks.extend(request.backdrop.iter().map(|_| Self::Backdrop));
         marks.extend(request.facing.iter().map(|_| Self::Facing));
         marks.extend(request.edge.iter().map(|_| Self::Edge));
@@ -108,21 +49,70 @@ impl Mark {
 
     /// What people call it.
     pub(crate) fn name(self, request: &MatchRequest) -> String {
+        let numbered = |name: &str, index: usize, count: usize| {
+            if count < 2 { name.to_owned() } else { format!("{name} {}", index + 1) }
+        };
         match self {
-            Self::Ball => "Ball".to_owned(),
-            Self::Card(_) if request.cards.len() < 2 => "Card".to_owned(),
-            Self::Card(index) => format!("Card {}", index + 1),
-            Self::Facing => "Facing pick".to_owned(),
-            Self::Edge => "Edge pick".to_owned(),
-            Self::Backdrop => "Backdrop".to_owned(),
+            Self::Card(index) => numbered("Card", index, request.cards.len()),
+            Self::Direct(index) => numbered("Direct card", index, request.mirrors.len()),
+            Self::Mirrored(index) => numbered("In the mirror", index, request.mirrors.len()),
+            _ => self.kind().to_owned(),
         }
+    }
+
+    /// What people call its kind.
+    pub(crate) const fn kind(self) -> &'static str {
+        match self {
+            Self::Ball => "Ball",
+            Self::Reference => "Reference ball",
+            Self::Card(_) => "Card",
+            Self::Direct(_) | Self::Mirrored(_) => "Mirror pair",
+            Self::GreyScale => "Grey scale",
+            Self::Facing => "Facing pick",
+            Self::Edge => "Edge pick",
+            Self::Backdrop => "Backdrop",
+        }
+    }
+
+    /// What it is for.
+    pub(crate) const fn purpose(self) -> &'static str {
+        match self {
+            Self::Ball => "The outline of the ball",
+            Self::Reference => "The outline of a ball of a known metal in the same surroundings",
+            Self::Card(_) => "A card of known reflectance; several show how even the light is",
+            Self::Direct(_) | Self::Mirrored(_) => "A card seen directly, and the same card in the flat metal",
+            Self::GreyScale => "Six neutral patches that undo the camera's tone curve",
+            Self::Facing => "Where r is read, instead of the middle of the ball",
+            Self::Edge => "Where h is read, instead of the rim of the ball",
+            Self::Backdrop => "An even bright area just outside the rim",
+        }
+    }
+
+    /// How to draw it.
+    pub(crate) const fn how_to_draw(self) -> &'static str {
+        match self {
+            Self::Ball | Self::Reference => "Drag across the ball, from edge to edge. It snaps to the edge.",
+            Self::GreyScale => "Drag along the row from the brightest patch to the darkest, then drag its corners.",
+            Self::Facing | Self::Edge => "Drag across the spot to read.",
+            _ => "Drag from corner to corner, well inside the edges.",
+        }
+    }
+
+    /// True for the outline of a ball, which can snap to its edge.
+    pub(crate) const fn is_outline(self) -> bool {
+        matches!(self, Self::Ball | Self::Reference)
     }
 
     /// Its shape; `None` when the request has no such mark.
     pub(crate) fn shape(self, request: &MatchRequest) -> Option<MarkShape> {
+        let pair = |index: usize| request.mirrors.get(index);
         match self {
             Self::Ball => request.circle.map(MarkShape::Round),
+            Self::Reference => request.reference_ball.as_ref().map(|ball| MarkShape::Round(ball.circle)),
             Self::Card(index) => request.cards.get(index).map(|card| MarkShape::of_area(card.area)),
+            Self::Direct(index) => pair(index).map(|pair| MarkShape::of_area(pair.direct)),
+            Self::Mirrored(index) => pair(index).map(|pair| MarkShape::of_area(pair.mirrored)),
+            Self::GreyScale => request.grey_corners.or_else(|| corners_of(&request.greys)).map(MarkShape::Quad),
             Self::Facing => request.facing.map(MarkShape::of_area),
             Self::Edge => request.edge.map(MarkShape::of_area),
             Self::Backdrop => request.backdrop.map(MarkShape::of_area),
@@ -131,31 +121,67 @@ impl Mark {
 
     /// Gives it another shape, or makes it.
     pub(crate) fn set(self, request: &mut MatchRequest, shape: MarkShape) {
-        match self {
-            Self::Ball => {
-                if let MarkShape::Round(circle) = shape {
-                    request.circle = Some(circle);
+        match (self, shape) {
+            (Self::Ball, MarkShape::Round(circle)) => {
+                if request.circle != Some(circle) {
+                    // What a fit said of another circle says nothing about this one.
+                    request.circle_uncertainty_px = None;
                 }
+                request.circle = Some(circle);
             }
-            Self::Card(index) => match request.cards.get_mut(index) {
-                Some(card) => card.area = shape.area(),
-                None => request.cards.push(Card { area: shape.area(), reflectance: Card::COMMON[0].1 }),
+            (Self::Reference, MarkShape::Round(circle)) => match &mut request.reference_ball {
+                Some(ball) => ball.circle = circle,
+                None => request.reference_ball = new_reference(circle),
             },
-            Self::Facing => request.facing = Some(shape.area()),
-            Self::Edge => request.edge = Some(shape.area()),
-            Self::Backdrop => request.backdrop = Some(shape.area()),
+            (Self::GreyScale, MarkShape::Quad(corners)) => {
+                let reflectances: Vec<f64> = request.greys.iter().map(|grey| grey.reflectance).collect();
+                let known = if reflectances.is_empty() { &Card::COLOR_CHECKER_NEUTRALS[..] } else { &reflectances };
+                request.greys = patches(corners, known);
+                request.grey_corners = Some(corners);
+            }
+            (Self::Ball | Self::Reference | Self::GreyScale, _) => {}
+            (mark, shape) => mark.set_area(request, shape.area()),
         }
     }
 
-    /// Takes it away.
+    fn set_area(self, request: &mut MatchRequest, area: Area) {
+        match self {
+            Self::Card(index) => match request.cards.get_mut(index) {
+                Some(card) => card.area = area,
+                None => request.cards.push(Card::neutral(area, Card::COMMON[0].1)),
+            },
+            Self::Direct(index) => match request.mirrors.get_mut(index) {
+                Some(pair) => pair.direct = area,
+                None => request.mirrors.push(new_pair(area, request.mirrors.len())),
+            },
+            Self::Mirrored(index) => {
+                if let Some(pair) = request.mirrors.get_mut(index) {
+                    pair.mirrored = area;
+                }
+            }
+            Self::Facing => request.facing = Some(area),
+            Self::Edge => request.edge = Some(area),
+            Self::Backdrop => request.backdrop = Some(area),
+            Self::Ball | Self::Reference | Self::GreyScale => {}
+        }
+    }
+
+    /// Takes it away; a card in a mirror goes with the card itself.
     pub(crate) fn remove(self, request: &mut MatchRequest) {
         match self {
-            Self::Ball => request.circle = None,
+            Self::Ball => (request.circle, request.circle_uncertainty_px) = (None, None),
+            Self::Reference => request.reference_ball = None,
             Self::Card(index) => {
                 if index < request.cards.len() {
                     request.cards.remove(index);
                 }
             }
+            Self::Direct(index) | Self::Mirrored(index) => {
+                if index < request.mirrors.len() {
+                    request.mirrors.remove(index);
+                }
+            }
+            Self::GreyScale => (request.greys, request.grey_corners) = (Vec::new(), None),
             Self::Facing => request.facing = None,
             Self::Edge => request.edge = None,
             Self::Backdrop => request.backdrop = None,
@@ -166,47 +192,87 @@ impl Mark {
     pub(crate) fn first_shape(self, width: u32, height: u32) -> MarkShape {
         let (w, h) = (f64::from(width), f64::from(height));
         let unit = w.min(h);
+        let beside = |index: usize| {
+            let step = unit * 0.15 * index as f64;
+            MarkShape::Square([w * 0.05 + step, h * 0.05, unit * 0.12, unit * 0.12])
+        };
         match self {
             Self::Ball => MarkShape::Round(Circle::new(w / 2.0, h / 2.0, unit * 0.35)),
+            Self::Reference => MarkShape::Round(Circle::new(w * 0.78, h / 2.0, unit * 0.2)),
             Self::Facing => MarkShape::Round(Circle::new(w / 2.0, h / 2.0, unit * 0.05)),
             Self::Edge => MarkShape::Round(Circle::new(w / 2.0 + unit * 0.33, h / 2.0, unit * 0.02)),
-            Self::Card(_) | Self::Backdrop => MarkShape::Square([w * 0.05, h * 0.05, unit * 0.12, unit * 0.12]),
+            Self::GreyScale => {
+                let (left, right, top, bottom) = (w * 0.1, w * 0.9, h * 0.8, h * 0.92);
+                MarkShape::Quad([[left, top], [right, top], [right, bottom], [left, bottom]])
+            }
+            Self::Backdrop => MarkShape::Square([w * 0.83, h * 0.05, unit * 0.12, unit * 0.12]),
+            Self::Card(index) => beside(index),
+            Self::Direct(index) => beside(2 * index),
+            Self::Mirrored(index) => beside(2 * index + 1),
         }
     }
+}
+
+fn new_reference(circle: Circle) -> Option<ReferenceBall> {
+    metal_by_name(FIRST_METAL).ok().map(|metal| ReferenceBall { circle, metal: metal.id.clone() })
+}
+
+/// A pair whose mirrored card stands beside the card.
+fn new_pair(direct: Area, index: usize) -> MirrorPair {
+    let [_, _, width, _] = direct.bounds();
+    let angle_deg = FIRST_ANGLES_DEG[index.min(FIRST_ANGLES_DEG.len() - 1)];
+    MirrorPair { direct, mirrored: direct.moved_by(1.25 * width, 0.0), angle_deg }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn a_dragged_grip_goes_where_the_pointer_is_and_the_opposite_one_stays() {
-        let shapes = [MarkShape::Round(Circle::new(50.0, 40.0, 20.0)), MarkShape::Square([10.0, 20.0, 30.0, 40.0])];
-        for shape in shapes {
-            for grip in 0..4 {
-                let target = shape.grips()[grip].map(|v| v + 3.0 * if grip < 2 { 1.0 } else { -1.0 });
-                let resized = shape.resized(grip, target);
-                let (before, after) = (shape.grips()[(grip + 2) % 4], resized.grips()[(grip + 2) % 4]);
-                assert!((before[0] - after[0]).abs() < 1e-9 || (before[1] - after[1]).abs() < 1e-9);
-                assert_ne!(resized, shape);
-            }
-        }
-    }
+    const MARKS: [Mark; 10] = [
+        Mark::Ball,
+        Mark::Reference,
+        Mark::Card(0),
+        Mark::Card(1),
+        Mark::Direct(0),
+        Mark::Mirrored(0),
+        Mark::GreyScale,
+        Mark::Backdrop,
+        Mark::Facing,
+        Mark::Edge,
+    ];
 
     #[test]
     fn marks_are_set_found_and_removed() {
         let mut request = MatchRequest::default();
-        let marks = [Mark::Ball, Mark::Card(0), Mark::Card(1), Mark::Backdrop, Mark::Facing, Mark::Edge];
-        for mark in marks {
-            assert_eq!(mark.shape(&request), None);
+        for mark in MARKS {
+            assert_eq!(mark.shape(&request).is_some(), mark == Mark::Mirrored(0), "a pair is made at once");
             let shape = mark.first_shape(400, 300);
             mark.set(&mut request, shape);
             assert_eq!(mark.shape(&request), Some(shape));
         }
-        assert_eq!(Mark::all_of(&request), marks);
-        for mark in marks.into_iter().rev() {
+        assert_eq!(Mark::all_of(&request), MARKS);
+        for mark in MARKS.into_iter().rev() {
             mark.remove(&mut request);
         }
         assert_eq!(request, MatchRequest::default());
+    }
+
+    #[test]
+    fn another_circle_is_placed_by_hand() {
+        let mut request = MatchRequest { circle_uncertainty_px: Some(0.1), ..MatchRequest::default() };
+        Mark::Ball.set(&mut request, MarkShape::Round(Circle::new(1.0, 2.0, 3.0)));
+        assert_eq!(request.circle_uncertainty_px, None);
+    }
+
+    #[test]
+    fn a_grey_scale_starts_as_a_color_checker_and_keeps_what_is_typed() {
+        let mut request = MatchRequest::default();
+        Mark::GreyScale.set(&mut request, Mark::GreyScale.first_shape(400, 300));
+        assert_eq!(request.greys.iter().map(|g| g.reflectance).collect::<Vec<_>>(), Card::COLOR_CHECKER_NEUTRALS);
+        request.greys[0].reflectance = 0.95;
+        let moved = Mark::GreyScale.shape(&request).unwrap().moved(3.0, 4.0);
+        Mark::GreyScale.set(&mut request, moved);
+        assert_eq!(request.greys[0].reflectance, 0.95);
+        assert_eq!(Mark::GreyScale.shape(&request), Some(moved));
     }
 }

@@ -46,8 +46,13 @@ impl Light {
 
     /// F of a pixel: pixel over light. NaN where the light is not known.
     pub fn reflectance(&self, view: &View, pixel: &Pixel, place: &Place) -> [f64; 3] {
-        let light = self.field.as_ref().map_or(self.divisor, |field| field.light(view, place));
+        let light = self.at(view, place);
         std::array::from_fn(|i| pixel.rgb[i] / light[i])
+    }
+
+    /// L of a spot; NaN where it is not known.
+    pub fn at(&self, view: &View, place: &Place) -> [f64; 3] {
+        self.field.as_ref().map_or(self.divisor, |field| field.light(view, place))
     }
 
     /// What each card showed.
@@ -131,7 +136,8 @@ fn mean_of_cards(cards: &[(Card, AreaStatistics)], channel: usize) -> Option<(f6
     if cards.iter().any(|(_, statistics)| statistics.is_clipped(channel)) {
         return None;
     }
-    let lights: Vec<f64> = cards.iter().map(|(card, s)| s.trimmed_mean[channel] / card.reflectance).collect();
+    let lights: Vec<f64> =
+        cards.iter().map(|(card, s)| s.trimmed_mean[channel] / card.reflectance_of(channel)).collect();
     let count = lights.len() as f64;
     let mean = lights.iter().sum::<f64>() / count;
     let spread = match lights.len() {

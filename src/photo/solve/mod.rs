@@ -12,12 +12,14 @@ mod mirror;
 mod outcome;
 mod reference;
 mod region;
+mod rendition;
 mod shape;
 mod solved_light;
 mod uncertainty;
 mod view;
 
 pub use outcome::{CardReading, Match, MatchError, UncertaintyBudget};
+pub use rendition::{Rendition, RenditionError};
 
 use super::{LightMode, MatchRequest, Photo, Recipe};
 use crate::color::{Rgb, RgbSpace};

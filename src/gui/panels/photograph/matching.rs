@@ -1,12 +1,12 @@
 //! What was solved from the marks, as numbers and sentences.
 
-use eframe::egui::{Align, ComboBox, Grid, Label, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, Grid, Label, Layout, RichText, Ui};
 
-use super::photograph::form_row;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
+use crate::gui::copying::CopyForm;
 use crate::gui::photograph::{Matching, Session, Source};
 use crate::gui::theme::{self, Palette};
-use crate::photo::{LightMode, Match, Warning};
+use crate::photo::{Match, Warning};
 
 /// Shows the match of a photograph.
 pub(crate) fn show(ui: &mut Ui, session: &mut Session, space: RgbSpace) {
@@ -15,12 +15,14 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, space: RgbSpace) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.checkbox(&mut session.is_followed, "The preset follows")
                 .on_hover_text("Write r and h into the preset whenever marks move");
+            if let Matching::Solved(found) = session.matching() {
+                copy_menu(ui, found, space);
+            }
         });
     });
-    mode(ui, session);
     match session.matching() {
         Matching::NotMarked => {
-            ui.add(Label::new(theme::hint("Mark the ball, and a card of known reflectance.")).wrap());
+            ui.add(Label::new(theme::hint("r and h appear when everything the mode needs is marked.")).wrap());
         }
         Matching::Working => {
             ui.label(theme::hint("Solving"));
@@ -36,28 +38,9 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, space: RgbSpace) {
     }
 }
 
-/// Where the light comes from.
-fn mode(ui: &mut Ui, session: &mut Session) {
-    form_row(ui, "Light from", |ui| {
-        let mode = &mut session.request.mode;
-        ComboBox::from_id_salt("mode")
-            .width(ui.available_width())
-            .selected_text(format!("{}  {}", mode.letter(), mode.label()))
-            .show_ui(ui, |ui| {
-                for choice in [LightMode::Card, LightMode::Backdrop, LightMode::SolvedLight] {
-                    let words = format!("{}  {}", choice.letter(), choice.label());
-                    ui.selectable_value(mode, choice, words).on_hover_text(choice.explanation());
-                }
-            })
-            .response
-            .on_hover_text(mode.explanation())
-            .accessible_name("Where the light comes from");
-    });
-}
-
 fn numbers(ui: &mut Ui, found: &Match, space: RgbSpace) {
     let palette = Palette::of(ui);
-    Grid::new("match").num_columns(4).spacing([theme::GROUP_GAP, 2.0]).show(ui, |ui| {
+    Grid::new("match").num_columns(4).spacing([theme::MATCH_GAP, 2.0]).show(ui, |ui| {
         let rows = [("r", found.r, found.r_uncertainty), ("h", found.h, found.h_uncertainty)];
         for (symbol, values, uncertainties) in rows {
             ui.label(RichText::new(symbol).heading());
@@ -78,6 +61,22 @@ fn numbers(ui: &mut Ui, found: &Match, space: RgbSpace) {
         ui.label(RichText::new(kind).small().color(colour));
         ui.label(theme::hint(format!("from {} pixels, in {}", found.pixels, space.label())));
     });
+}
+
+/// Copies r and h as they were found, whatever the preset has become.
+fn copy_menu(ui: &mut Ui, found: &Match, space: RgbSpace) {
+    let colours = [("r", found.complete_r()), ("h", found.complete_h())];
+    let menu = ui.menu_button("Copy", |ui| {
+        for (symbol, colour) in colours {
+            for form in CopyForm::ALL {
+                let button = ui.add_enabled(colour.is_some(), Button::new(format!("{symbol}, {}", form.label(space))));
+                if let Some(colour) = colour.filter(|_| button.clicked()) {
+                    ui.ctx().copy_text(form.words(colour, space));
+                }
+            }
+        }
+    });
+    menu.response.on_hover_text("Copy r or h as found").accessible_name("Copy what was found");
 }
 
 /// How far a sample's match is from what it was rendered with.
