@@ -10,14 +10,11 @@ use super::tint::Tint;
 use super::{ExportError, ExportFile, Exported, Kept, Loss, Options, Target, file_stems};
 use super::{aco, ase, blender, cube, curve_csv, exr_ramp, gltf, gpl, materialx, mitsuba, mitsuba_plugin, shader, usd};
 use crate::color::RgbSpace;
-use crate::fresnel::FresnelModel;
+use crate::fresnel::{ARTISTIC_IOR_MAX_R, FresnelModel};
 use crate::preset::{Preset, file_stem};
 
 /// What writers return; their own error types differ.
 pub(super) type Written = Result<Vec<u8>, Box<dyn std::error::Error>>;
-
-/// The largest r of MaterialX's `artistic_ior` node, on which standard_surface builds.
-const ARTISTIC_IOR_MAX_R: f64 = 0.99;
 
 /// r = 1 has no index. With this limit k stays below 300, and the curve within 1e-4.
 const INDEX_MAX_R: f64 = 0.9999;
@@ -46,7 +43,7 @@ pub fn export_kept(
     let losses = translation.losses(&material, target);
     let header = header(&material, &losses);
     let bytes = (translation.write)(&header).map_err(ExportError::write(target))?;
-    Ok(Exported { files: vec![ExportFile { name: file_name(stem, target, material.space), bytes }], losses })
+    Ok(Exported { files: vec![ExportFile { name: name_in_space(stem, target, material.space), bytes }], losses })
 }
 
 /// Writes many presets: a file each, with names that do not meet, or one palette of all. In parallel, in order.
@@ -72,10 +69,18 @@ fn export_palette(presets: &[Preset], target: Target, options: &Options) -> Resu
         losses.extend(Translation::of(&material, target).losses(&material, target));
         swatches.extend(Swatch::pair(&material));
     }
-    let stem = if let [preset] = presets { file_stem(&preset.name) } else { "edgewise".to_owned() };
+    let stem = palette_stem(presets.iter().map(|preset| preset.name.as_str()));
     let bytes = write_palette(target, &stem, &swatches).map_err(ExportError::write(target))?;
-    let name = file_name(&stem, target, RgbSpace::LinRec709);
+    let name = name_in_space(&stem, target, RgbSpace::LinRec709);
     Ok(Exported { files: vec![ExportFile { name, bytes }], losses })
+}
+
+/// The one file of a palette is called after its metal, or after this program where it has several.
+pub fn palette_stem<'a>(mut names: impl Iterator<Item = &'a str>) -> String {
+    match (names.next(), names.next()) {
+        (Some(name), None) => file_stem(name),
+        _ => "edgewise".to_owned(),
+    }
 }
 
 /// What a reader of the target will show for a preset, and what is lost: the preview of an export.
@@ -99,8 +104,18 @@ pub struct Shown {
     pub losses: Vec<Loss>,
 }
 
+/// Whether a preset could be written at all, before anything is.
+pub fn check(preset: &Preset, target: Target, options: &Options) -> Result<(), ExportError> {
+    Material::new(preset, target, options).map(drop)
+}
+
+/// What the file of a preset will be called; `own` is the space of the preset.
+pub fn file_name(stem: &str, target: Target, own: RgbSpace, options: &Options) -> Result<String, ExportError> {
+    Ok(name_in_space(stem, target, options.space_for(target, own)?))
+}
+
 /// Files of another working space than the default say so, so that both can lie in one folder.
-fn file_name(stem: &str, target: Target, space: RgbSpace) -> String {
+fn name_in_space(stem: &str, target: Target, space: RgbSpace) -> String {
     let suffix = target.suffix();
     if space == RgbSpace::default() { format!("{stem}.{suffix}") } else { format!("{stem}.{space}.{suffix}") }
 }

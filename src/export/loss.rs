@@ -62,7 +62,9 @@ pub enum Part {
 /// The distance of two curves over 0–90°.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Difference {
-    /// Largest |ΔF| of a channel at a whole degree.
+    /// Largest |ΔF| of each channel at a whole degree.
+    pub delta_f: Rgb,
+    /// The largest of these.
     pub max_delta_f: f64,
     /// Largest CIEDE2000 at a whole degree.
     pub max_delta_e: f64,
@@ -74,6 +76,7 @@ impl Difference {
         whole_degrees().fold(Self::default(), |worst, cos_theta| {
             let (wanted, shown) = (wanted.reflectance(cos_theta), shown.reflectance(cos_theta));
             Self {
+                delta_f: worst.delta_f.zip(wanted.zip(shown, |wanted, shown| (wanted - shown).abs()), larger),
                 max_delta_f: larger(worst.max_delta_f, wanted.max_abs_difference(shown)),
                 max_delta_e: larger(worst.max_delta_e, delta_e_rgb(wanted, shown, space)),
             }
@@ -96,7 +99,7 @@ pub struct Loss {
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Difference { max_delta_f, max_delta_e } = self.difference;
+        let Difference { max_delta_f, max_delta_e, .. } = self.difference;
         write!(f, "{}: {}", self.preset, self.cause)?;
         match self.cause {
             Cause::Dropped(_) => return Ok(()),
@@ -176,7 +179,7 @@ mod tests {
     #[test]
     fn a_loss_is_one_sentence() {
         let clips = vec![Clip { parameter: Parameter::T, channel: 1, before: 1.0123, after: 1.0 }];
-        let difference = Difference { max_delta_f: 0.012345, max_delta_e: 0.5 };
+        let difference = Difference { max_delta_f: 0.012345, max_delta_e: 0.5, ..Difference::default() };
         let loss =
             Loss { preset: "Gold".to_owned(), space: RgbSpace::AcesCg, cause: Cause::Clipped(clips), difference };
         assert_eq!(

@@ -32,9 +32,9 @@ mod target;
 mod tint;
 mod usd;
 
-pub use export::{Shown, export, export_all, export_as, export_kept, shown};
+pub use export::{Shown, check, export, export_all, export_as, export_kept, file_name, palette_stem, shown};
 pub use exported::{ExportError, ExportFile, Exported, Options};
 pub use kept::Kept;
 pub use loss::{Cause, Clip, Difference, Loss, Parameter, Part};
-pub use names::{file_stems, identifier};
+pub use names::{NameKey, file_stems, identifier, unique_stems};
 pub use target::Target;

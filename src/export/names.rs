@@ -6,38 +6,68 @@ use sha2::{Digest, Sha256};
 
 use crate::preset::{Preset, file_stem};
 
-/// One stem for each preset, in their order, no two alike.
+/// What the names of a batch depend on: little enough to be kept of ten thousand presets.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NameKey {
+    /// The stem the preset has where no other is called so.
+    pub stem: String,
+    fingerprint: [u8; 4],
+}
+
+impl NameKey {
+    /// The key of a preset.
+    pub fn of(preset: &Preset) -> Self {
+        Self { stem: file_stem(&preset.name), fingerprint: fingerprint(preset) }
+    }
+
+    fn hashed(&self) -> String {
+        let digits: String = self.fingerprint.iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("{}-{digits}", self.stem)
+    }
+}
+
+/// [`unique_stems`] of presets.
+pub fn file_stems(presets: &[Preset]) -> Vec<String> {
+    unique_stems(&presets.iter().map(NameKey::of).collect::<Vec<_>>())
+}
+
+/// One stem for each key, in their order, no two alike.
 ///
 /// Where names meet, each of them gets a hash of its own values: the result does not depend on the order
 /// of the presets. Copies of one preset are numbered.
-pub fn file_stems(presets: &[Preset]) -> Vec<String> {
-    let stems: Vec<String> = presets.iter().map(|preset| file_stem(&preset.name)).collect();
+pub fn unique_stems(keys: &[NameKey]) -> Vec<String> {
     let mut uses = HashMap::<&str, usize>::new();
-    stems.iter().for_each(|stem| *uses.entry(stem).or_default() += 1);
-    let mut seen = HashMap::<String, usize>::new();
-    let pairs = stems.iter().zip(presets);
-    pairs
-        .map(|(stem, preset)| {
-            if uses[stem.as_str()] == 1 {
-                return stem.clone();
-            }
-            let hashed = format!("{stem}-{}", fingerprint(preset));
-            let count = seen.entry(hashed.clone()).or_default();
+    keys.iter().for_each(|key| *uses.entry(&key.stem).or_default() += 1);
+    let is_alone = |stem: &str| uses.get(stem) == Some(&1);
+    let mut copies = HashMap::<String, usize>::new();
+    let mut stem_of = |key: &NameKey| {
+        if is_alone(&key.stem) {
+            return key.stem.clone();
+        }
+        let hashed = key.hashed();
+        let count = copies.entry(hashed.clone()).or_default();
+        loop {
             *count += 1;
-            if *count == 1 { hashed } else { format!("{hashed}-{count}") }
-        })
-        .collect()
+            let stem = if *count == 1 { hashed.clone() } else { format!("{hashed}-{count}") };
+            // Somebody may have called a preset like a hash.
+            if !is_alone(&stem) {
+                return stem;
+            }
+        }
+    };
+    keys.iter().map(&mut stem_of).collect()
 }
 
-/// Eight hexadecimal digits of what a file would say.
-fn fingerprint(preset: &Preset) -> String {
+/// Four bytes of what a file would say.
+fn fingerprint(preset: &Preset) -> [u8; 4] {
     let mut hash = Sha256::new();
     hash.update(preset.name.as_bytes());
     hash.update(preset.space.id().as_bytes());
     for value in preset.r.0.into_iter().chain(preset.h.0).chain([preset.roughness]) {
         hash.update(value.to_le_bytes());
     }
-    hash.finalize()[..4].iter().map(|byte| format!("{byte:02x}")).collect()
+    let digest = hash.finalize();
+    [digest[0], digest[1], digest[2], digest[3]]
 }
 
 /// A name every shading language and scene format takes: ASCII letters, digits and single underscores.
@@ -136,5 +166,15 @@ mod tests {
     fn copies_are_numbered() {
         let stems = file_stems(&[named("Gold", 0.1), named("Gold", 0.1)]);
         assert_eq!(stems[1], format!("{}-2", stems[0]));
+    }
+
+    #[test]
+    fn a_name_like_a_hash_is_nobody_elses() {
+        let twice = [named("Gold", 0.1), named("Gold", 0.2)];
+        let hashed = file_stems(&twice).remove(0);
+        let [first, second] = twice;
+        let stems = file_stems(&[first, second, named(&hashed, 0.3)]);
+        assert_eq!(stems[2], hashed);
+        assert_eq!(stems.iter().collect::<BTreeSet<_>>().len(), 3);
     }
 }

@@ -12,6 +12,9 @@ pub struct Nk {
     pub k: f64,
 }
 
+/// The largest r of MaterialX's `artistic_ior` node, on which standard_surface builds: whatever is above is clipped.
+pub const ARTISTIC_IOR_MAX_R: f64 = 0.99;
+
 /// n and k of a reflectance r and edge tint g (Gulbrandsen 2014, eqs. 6 and 8, in a form that does not cancel).
 ///
 /// 0 ≤ r < 1 and 0 ≤ g ≤ 1; `None` outside: r = 1 is a true singularity, and g outside makes k imaginary.

@@ -19,7 +19,7 @@ pub use conductor::{conductor, normal_reflectance};
 pub use f82::{f82_tint, h_from_r_t, t_from_r_h};
 pub use feasible::{angle_of_minimum_deg, feasible_h, nearest_feasible_h, reachable_h, reflectance_range};
 pub use generalized_schlick::generalized_schlick;
-pub use gulbrandsen::{Nk, gulbrandsen, nk_from_r_g, r_g_from_nk};
+pub use gulbrandsen::{ARTISTIC_IOR_MAX_R, Nk, gulbrandsen, nk_from_r_g, r_g_from_nk};
 pub use hoffman::{
     PEAK_GAIN, SCHLICK_GAIN, Weights, a_from_r_h, h_from_r_a, h_of_schlick, hemispherical_mean, hoffman,
 };

@@ -4,12 +4,9 @@ use super::imported::{Found, Imported};
 use super::materialx_node::{Document, Node};
 use super::{ImportError, xml};
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::FresnelModel;
+use crate::fresnel::{ARTISTIC_IOR_MAX_R, FresnelModel};
 
 const METALS: [&str; 4] = ["open_pbr_surface", "generalized_schlick_bsdf", "standard_surface", "conductor_bsdf"];
-
-/// Above this r MaterialX's artistic_ior clips, whatever the document says.
-const ARTISTIC_IOR_MAX_R: f64 = 0.99;
 
 /// Every metal of a document. One that cannot be read is noted; if none can, its reason is the error.
 pub(super) fn read(text: &str, space: Option<RgbSpace>) -> Result<Imported, ImportError> {
