@@ -1,26 +1,30 @@
 //! `edgewise export`: presets as files for renderers.
 
-use std::fs::File;
-use std::io::Write;
+mod batch;
+
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use clap::Args;
 use serde_json::json;
 
+use self::batch::{Batch, Source, Step, Written};
 use super::export_plan::{Destination, export_plan};
 use super::output::{Cell, Format, FormatArguments, Output, Table};
+use super::preset_files::listed;
+use super::shard::Shard;
 use super::study::progress_bar;
+use super::usage;
 use crate::color::RgbSpace;
-use crate::export::{Exported, Options, Target, export_all, file_stems};
-use crate::file::replace_file;
+use crate::export::{Loss, Options, Target};
+use crate::file::Placed;
 use crate::metal::metal_by_name;
-use crate::preset::{Preset, pretty_json};
+use crate::preset::pretty_json;
 
 /// Arguments of `edgewise export`.
 #[derive(Debug, Args)]
 pub struct Export {
-    /// Preset files
+    /// Preset files, or folders of them
     #[arg(required_unless_present_any = ["metal", "list", "plan"])]
     presets: Vec<PathBuf>,
     /// A metal of the library by its exact r and h; may be given again
@@ -44,6 +48,9 @@ pub struct Export {
     /// Refuse to write anything that loses something
     #[arg(long)]
     strict: bool,
+    /// Write only the i-th of n parts of the batch, as one of n processes that share it
+    #[arg(long, value_name = "I/N", default_value = "1/1", hide_default_value = true, conflicts_with = "plan")]
+    shard: Shard,
     /// List the targets with what their readers do
     #[arg(long)]
     list: bool,
@@ -52,7 +59,7 @@ pub struct Export {
 }
 
 impl Export {
-    pub(super) fn run(mut self) -> anyhow::Result<Output> {
+    pub(super) fn run(self) -> anyhow::Result<Output> {
         if self.list {
             return Ok(Output { text: targets().render(self.format.format()), ..Output::default() });
         }
@@ -60,136 +67,93 @@ impl Export {
             let to = Destination { folder: &self.output, force: self.force, strict: self.strict, space: self.space };
             return export_plan(plan, &self.targets, &to, self.format.format());
         }
-        let (presets, mut warnings) = self.presets()?;
-        let mut exports = self.exports(&presets)?;
-        self.name_the_file(&mut exports)?;
-        warnings.extend(self.renamed(&presets));
-        self.refuse_losses(&exports)?;
-        self.refuse_to_replace(&exports)?;
-        std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
-        self.write_all(&exports)?;
-        warnings.extend(exports.iter().flat_map(|(target, exported)| sentences(*target, exported)));
+        let mut batch = self.batch()?;
+        let folder = self.name_files(&mut batch)?;
+        if self.strict {
+            batch.refuse_losses()?;
+        }
+        if !self.force {
+            batch.refuse_to_replace()?;
+        }
+        std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
+        let written = batch.write(self.force, &progress_bar("Writing"))?;
+        let each: Vec<(&Step, &Written)> = batch.steps.iter().zip(&written).collect();
         let text = match self.format.format() {
-            Format::Json => pretty_json(&exports.iter().map(|export| self.document(export)).collect()),
-            format => self.table(&exports).render(format),
+            Format::Json => pretty_json(&self.documents(&each)),
+            format => table(&each).render(format),
         };
+        let mut warnings = batch.warnings.clone();
+        warnings.extend(each.iter().flat_map(|(step, written)| sentences(step, written)));
         Ok(Output { text, warnings, ..Output::default() })
     }
 
-    fn presets(&self) -> anyhow::Result<(Vec<Preset>, Vec<String>)> {
-        let (mut presets, mut warnings) = (Vec::new(), Vec::new());
-        for path in &self.presets {
-            let loaded = Preset::load(path)?;
-            presets.push(loaded.preset);
-            warnings.extend(loaded.warnings);
+    /// The targets asked for, each once.
+    fn targets(&self) -> Vec<Target> {
+        let mut targets = Vec::new();
+        for &target in &self.targets {
+            if !targets.contains(&target) {
+                targets.push(target);
+            }
         }
+        targets
+    }
+
+    fn batch(&self) -> anyhow::Result<Batch> {
+        let targets = self.targets();
+        if let Some(palette) = targets.iter().find(|target| target.is_palette()).filter(|_| !self.shard.is_whole()) {
+            return Err(usage(&format!("--shard cannot divide {palette}, which is one file of all presets")));
+        }
+        let mut sources: Vec<Source> = listed(&self.presets)?.into_iter().map(Source::File).collect();
         for name in &self.metal {
-            presets.push(Preset::from_metal(metal_by_name(name)?, self.space.unwrap_or_default()));
+            sources.push(Source::Metal(metal_by_name(name)?, self.space.unwrap_or_default()));
         }
-        Ok((presets, warnings))
+        Batch::new(sources, &targets, Options { space: self.space }, self.shard, &progress_bar("Reading"))
     }
 
-    /// Everything is made before anything is written: an error leaves no half of a batch.
-    fn exports(&self, presets: &[Preset]) -> anyhow::Result<Vec<(Target, Exported)>> {
-        let options = Options { space: self.space };
-        self.targets.iter().map(|&target| Ok((target, export_all(presets, target, &options)?))).collect()
-    }
-
-    /// `-o FILE`: a name that ends as the target's files do is that of the one file, unless it is a folder.
-    fn name_the_file(&mut self, exports: &mut [(Target, Exported)]) -> anyhow::Result<()> {
+    /// Says where the files go, and returns their folder. `-o FILE`: a name that ends as the target's files do is that
+    /// of the one file, unless it is a folder.
+    fn name_files(&self, batch: &mut Batch) -> anyhow::Result<PathBuf> {
         let extension = self.output.extension().map(|extension| extension.to_ascii_lowercase());
         let is_file = |target: &Target| extension.as_deref().is_some_and(|e| e == target.extension());
         if self.output.is_dir() || !self.targets.iter().any(is_file) {
-            return Ok(());
+            batch.place_in(&self.output);
+            return Ok(self.output.clone());
         }
-        let path = self.output.display();
-        let mut files = exports.iter_mut().flat_map(|(_, exported)| &mut exported.files);
-        let (Some(file), None) = (files.next(), files.next()) else {
+        let [step] = &mut batch.steps[..] else {
+            let path = self.output.display();
             bail!("{path} is the name of one file, and this export has several; -o takes a folder for them");
         };
-        let name = self.output.file_name().and_then(|name| name.to_str());
-        file.name = name.with_context(|| format!("{path} is no file name in UTF-8"))?.to_owned();
+        step.path.clone_from(&self.output);
         let folder = self.output.parent().filter(|folder| !folder.as_os_str().is_empty());
-        self.output = folder.unwrap_or(Path::new(".")).to_path_buf();
-        Ok(())
+        Ok(folder.unwrap_or(Path::new(".")).to_path_buf())
     }
 
-    /// A sentence where names met, so that files are not called what one expects.
-    fn renamed(&self, presets: &[Preset]) -> Option<String> {
-        if self.targets.iter().all(|target| target.is_palette()) {
-            return None;
-        }
-        let stems = file_stems(presets);
-        let mut renamed = presets.iter().zip(&stems).filter(|(preset, stem)| preset.file_stem() != **stem);
-        let (preset, stem) = renamed.next()?;
-        let count = 1 + renamed.count();
-        Some(format!("{count} presets share their file names with others; “{}” is written as {stem}", preset.name))
-    }
-
-    fn write_all(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {
-        let bar = progress_bar("Writing");
-        bar.set_length(exports.iter().map(|(_, exported)| exported.files.len() as u64).sum());
-        for file in exports.iter().flat_map(|(_, exported)| &exported.files) {
-            self.write(&self.output.join(&file.name), &file.bytes)?;
-            bar.inc(1);
-        }
-        bar.finish_and_clear();
-        Ok(())
-    }
-
-    /// A file that can be made again is not waited for until it is on the disk: of ten thousand, that takes minutes.
-    fn write(&self, path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
-        if path.exists() {
-            return Ok(replace_file(path, bytes)?);
-        }
-        let new = File::options().write(true).create_new(true).open(path);
-        new.and_then(|mut file| file.write_all(bytes)).with_context(|| path.display().to_string())
-    }
-
-    fn refuse_losses(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {
-        let losses: Vec<String> = exports.iter().flat_map(|(target, exported)| sentences(*target, exported)).collect();
-        match losses.first() {
-            Some(first) if self.strict => bail!("{first}; with --strict nothing was written ({} losses)", losses.len()),
-            _ => Ok(()),
-        }
-    }
-
-    fn refuse_to_replace(&self, exports: &[(Target, Exported)]) -> anyhow::Result<()> {
-        let names = exports.iter().flat_map(|(_, exported)| &exported.files).map(|file| &file.name);
-        let existing: Vec<&String> = names.filter(|name| self.output.join(name).exists()).collect();
-        match existing.first() {
-            Some(first) if !self.force => {
-                bail!("{} is there already ({} files are); --force replaces them", self.path(first), existing.len())
-            }
-            _ => Ok(()),
-        }
-    }
-
-    fn path(&self, name: &str) -> String {
-        let folder = if self.output == Path::new(".") { Path::new("") } else { &self.output };
-        folder.join(name).display().to_string()
-    }
-
-    fn table(&self, exports: &[(Target, Exported)]) -> Table {
-        let mut table = Table::new([("target", "target"), ("file", "file"), ("bytes", "bytes")]);
-        for (target, exported) in exports {
-            for file in &exported.files {
-                let bytes = Cell::Count(file.bytes.len() as u64);
-                table.push(vec![target.id().into(), Cell::Text(self.path(&file.name)), bytes]);
-            }
-        }
-        table
-    }
-
-    fn document(&self, (target, exported): &(Target, Exported)) -> serde_json::Value {
-        let files: Vec<String> = exported.files.iter().map(|file| self.path(&file.name)).collect();
-        let warnings: Vec<String> = sentences(*target, exported).collect();
-        json!({ "target": target.id(), "files": files, "losses": exported.losses, "warnings": warnings })
+    fn documents(&self, each: &[(&Step, &Written)]) -> serde_json::Value {
+        let of_target = |target: Target| {
+            let own: Vec<_> = each.iter().filter(|(step, _)| step.target == target).collect();
+            let files: Vec<String> = own.iter().map(|(step, _)| step.path.display().to_string()).collect();
+            let losses: Vec<&Loss> = own.iter().flat_map(|(_, written)| &written.losses).collect();
+            let warnings: Vec<String> = own.iter().flat_map(|(step, written)| sentences(step, written)).collect();
+            let unchanged = own.iter().filter(|(_, written)| written.placed == Placed::Same).count();
+            json!({
+                "target": target.id(), "files": files, "unchanged": unchanged, "losses": losses, "warnings": warnings,
+            })
+        };
+        self.targets().into_iter().map(of_target).collect()
     }
 }
 
-fn sentences(target: Target, exported: &Exported) -> impl Iterator<Item = String> {
-    exported.losses.iter().map(move |loss| format!("{target}: {loss}"))
+fn table(each: &[(&Step, &Written)]) -> Table {
+    let mut table = Table::new([("target", "target"), ("file", "file"), ("bytes", "bytes")]);
+    for (step, written) in each {
+        let path = Cell::Text(step.path.display().to_string());
+        table.push(vec![step.target.id().into(), path, Cell::Count(written.bytes)]);
+    }
+    table
+}
+
+fn sentences(step: &Step, written: &Written) -> Vec<String> {
+    written.losses.iter().map(|loss| step.sentence(loss)).collect()
 }
 
 fn targets() -> Table {

@@ -3,6 +3,7 @@
 //! | file | what it is for |
 //! |---|---|
 //! | `arguments` | triples, angles and other things people type |
+//! | `check` | `edgewise check`: whether presets can be relied on |
 //! | `convert` | `edgewise convert`: the same material in other parameters |
 //! | `curve` | the truth of a material, or a model of it, over the angle |
 //! | `export` | `edgewise export`: presets as files for renderers |
@@ -17,14 +18,17 @@
 //! | `parameters` | the parameters of a model as rows |
 //! | `picture` | `edgewise picture`: a sphere by the truth and by a model |
 //! | `plan` | `edgewise plan`: what a scene requires |
+//! | `preset_files` | presets that are named as files or as whole folders |
 //! | `presets` | `edgewise presets`: the presets that ship with the program |
 //! | `reflect` | `edgewise reflect`: reflectance over angle |
 //! | `samples` | `edgewise samples`: the rendered photographs inside the program |
+//! | `shard` | one of several processes that share a job |
 //! | `source` | what material a subcommand is about |
 //! | `study` | `edgewise study`: the paper's evidence, measured |
 
 mod arguments;
 mod batch;
+mod check;
 mod convert;
 mod curve;
 mod export;
@@ -39,9 +43,11 @@ mod output;
 mod parameters;
 mod picture;
 mod plan;
+mod preset_files;
 mod presets;
 mod reflect;
 mod samples;
+mod shard;
 mod source;
 mod study;
 
@@ -92,6 +98,8 @@ pub enum Command {
     Convert(convert::Convert),
     /// List the built-in presets, or write them as files
     Presets(presets::Presets),
+    /// Say of presets whether they can be relied on
+    Check(check::Check),
     /// Write presets for renderers
     Export(export::Export),
     /// Read presets from what other programs write
@@ -114,6 +122,7 @@ impl Command {
             Self::Fit(command) => command.run(),
             Self::Convert(command) => command.run(),
             Self::Presets(command) => command.run(),
+            Self::Check(command) => command.run(),
             Self::Export(command) => command.run(),
             Self::Import(command) => command.run(),
             Self::Study(command) => command.run(),

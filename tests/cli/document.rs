@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use edgewise::preset::Preset;
+
 use crate::matching::sample_file;
 use crate::program::SUBCOMMANDS;
 use crate::run::{edgewise, json};
@@ -27,7 +29,9 @@ fn the_document_names_every_field() {
     let folder = tempfile::tempdir().unwrap();
     let photo = sample_file(folder.path(), "gold_tent");
     let out = folder.path().to_str().unwrap();
-    let runs: [&[&str]; 11] = [
+    let preset = folder.path().join("preset.json").to_str().unwrap().to_owned();
+    Preset::new_authored().save(preset.as_ref()).unwrap();
+    let runs: [&[&str]; 12] = [
         &["match", "--sample", "gold_tent"],
         &["inspect", &photo, "--probe", "0,0"],
         &["samples"],
@@ -38,6 +42,7 @@ fn the_document_names_every_field() {
         &["convert", "--r", "0.6,0.5,0.4", "--h", "0.7,0.6,0.5", "--to", "f82-tint"],
         &["presets"],
         &["export", "--metal", "Cr", "--to", "glsl", "-o", out],
+        &["check", &preset],
         &["study", "accuracy", "--metal", "Cr", "--candidate", "hoffman:exact"],
     ];
     for arguments in runs {

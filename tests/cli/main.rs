@@ -1,6 +1,7 @@
 //! Does the program itself do what its help says? Every test runs the real binary, as a person would.
 #![cfg(feature = "cli")]
 
+mod check;
 mod document;
 mod fit_and_export;
 mod inspect;
@@ -11,3 +12,4 @@ mod plan;
 mod program;
 mod reflect;
 mod run;
+mod shards;

@@ -5,9 +5,9 @@ use std::process::Command;
 
 use crate::run::{quiet, refusal, stderr};
 
-pub const SUBCOMMANDS: [&str; 13] = [
-    "match", "inspect", "samples", "metals", "reflect", "picture", "fit", "convert", "presets", "import", "export",
-    "study", "plan",
+pub const SUBCOMMANDS: [&str; 14] = [
+    "match", "inspect", "samples", "metals", "reflect", "picture", "fit", "convert", "presets", "check", "import",
+    "export", "study", "plan",
 ];
 
 #[test]
