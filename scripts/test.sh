@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
 # shellcheck disable=SC2086
-require_packages gcc libc6-dev python3-venv xvfb openbox imagemagick mesa-vulkan-drivers $WINDOW_PACKAGES
+require_packages gcc libc6-dev python3-venv glslang-tools xvfb openbox imagemagick mesa-vulkan-drivers $WINDOW_PACKAGES
 
 # Headless: the window's tests draw with the software Vulkan driver and open no display but their own.
 XDG_RUNTIME_DIR=$(mktemp -d)
@@ -27,3 +27,6 @@ cargo check --quiet --no-default-features
 
 step "tests"
 cargo test --quiet
+
+step "the files are loaded into the programs they are for"
+tests/clients/run.sh target/debug/edgewise

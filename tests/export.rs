@@ -219,8 +219,9 @@ fn every_built_in_preset_goes_through_every_target() {
         let names: BTreeSet<_> = exported.files.iter().map(|file| &file.name).collect();
         assert_eq!((exported.files.len(), names.len()), (files, files), "{target}");
         for loss in &exported.losses {
-            let Difference { max_delta_f, max_delta_e } = loss.difference;
+            let Difference { delta_f, max_delta_f, max_delta_e } = loss.difference;
             assert!(max_delta_f.is_finite() && max_delta_e.is_finite(), "{loss}");
+            assert_eq!(delta_f.max_channel(), max_delta_f, "{loss}");
         }
     }
 }
@@ -365,6 +366,21 @@ fn hostile_names_stay_names() {
             if target == Target::Gltf {
                 gltf::Gltf::from_slice(&file.bytes).unwrap();
             }
+        }
+    }
+}
+
+/// A person finds each target in both documents.
+#[test]
+fn the_documents_have_every_target() {
+    let (exports, targets) = (include_str!("../docs/exports.md"), include_str!("../docs/targets.md"));
+    for target in Target::ALL {
+        assert!(exports.contains(&format!("`{target}`")), "docs/exports.md has no {target}");
+        let section = targets.split(&format!("\n## {target}: ")).nth(1);
+        let section = section.unwrap_or_else(|| panic!("docs/targets.md has no {target}"));
+        let section = section.split("\n## ").next().unwrap();
+        for part in ["**Where.**", "**Shows**", "**Cannot"] {
+            assert!(section.contains(part), "docs/targets.md: {target} has no {part}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Are the exported files still the ones in `tests/data/exports`?
 //!
-//! They were looked at and loaded into the programs they are for (`scripts/check_exports.py`). After a change
+//! They were looked at and loaded into the programs they are for (`tests/clients/check.py`). After a change
 //! that is meant, `UPDATE_GOLDEN=1 cargo test --test export_files` writes them again; then load them again.
 
 use std::fs;

@@ -334,6 +334,23 @@ mod tests {
         );
     }
 
+    /// Aliases that double and double, nesting, and a key given twice.
+    #[test]
+    fn hostile_files_are_refused_quickly_in_a_sentence() {
+        let levels = |level: u32| format!("a{}: &a{} [*a{level}, *a{level}, *a{level}]\n", level + 1, level + 1);
+        let bomb = format!("a0: &a0 [x, x, x]\n{}DATA: [*a40]\n", (0..40).map(levels).collect::<String>());
+        let nested = format!("DATA: {}", "[".repeat(100_000));
+        let mappings: String = (0..2_000).map(|depth| format!("{}a:\n", " ".repeat(depth))).collect();
+        let twice = "DATA: []\nDATA: []\n".to_owned();
+        let type_twice = "DATA:\n  - type: tabulated nk\n    type: tabulated n\n    data: 0.4 1 2\n".to_owned();
+        for text in [bomb, nested, mappings, twice, type_twice] {
+            let start = std::time::Instant::now();
+            let error = metal_from_yaml("x", &text).unwrap_err().to_string();
+            assert!(!error.contains('\n') && error.len() < 400, "{error}");
+            assert!(start.elapsed().as_secs() < 10, "{error}: {:?}", start.elapsed());
+        }
+    }
+
     proptest! {
         /// Whatever is cut off or changed, the answer is a metal or a sentence.
         #[test]
