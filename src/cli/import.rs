@@ -1,6 +1,6 @@
 //! `edgewise import`: presets from what other programs write.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, bail};
 use clap::Args;
@@ -8,7 +8,7 @@ use clap::Args;
 use super::output::{Cell, FormatArguments, Output, Table};
 use crate::color::RgbSpace;
 use crate::export::file_stems;
-use crate::import::{ImportError, ImportFormat, Imported, import};
+use crate::import::import_file;
 use crate::preset::Preset;
 
 /// Arguments of `edgewise import`.
@@ -34,7 +34,7 @@ impl Import {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         let (mut presets, mut warnings) = (Vec::new(), Vec::new());
         for path in &self.files {
-            let imported = read(path, self.space).with_context(|| path.display().to_string())?;
+            let imported = import_file(path, self.space).with_context(|| path.display().to_string())?;
             warnings.extend(imported.notes.iter().map(|note| format!("{}: {note}", path.display())));
             presets.extend(imported.presets);
         }
@@ -50,17 +50,6 @@ impl Import {
         let text = table(&presets, &paths).render(self.format.format());
         Ok(Output { text, warnings, ..Output::default() })
     }
-}
-
-/// A file is opened only where its name and size promise something to read.
-fn read(path: &Path, space: Option<RgbSpace>) -> anyhow::Result<Imported> {
-    let format = ImportFormat::of_name(&path.to_string_lossy()).ok_or(ImportError::UnknownFormat)?;
-    let metadata = std::fs::metadata(path)?;
-    if !metadata.is_file() {
-        bail!("it is no regular file");
-    }
-    format.check_size(metadata.len())?;
-    Ok(import(format, &std::fs::read(path)?, space)?)
 }
 
 fn table(presets: &[Preset], paths: &[PathBuf]) -> Table {

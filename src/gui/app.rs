@@ -8,6 +8,7 @@ use super::command::{Action, Command};
 use super::copying::CopyForm;
 use super::demonstrations::Piece;
 use super::document::Document;
+use super::export::{Answer as ExportAnswer, Asked, ExportDialog, Failure, Writing, write};
 use super::file_dialog::{FileDialog, Outcome, Purpose};
 use super::history::STABLE_SECONDS;
 use super::job::{Job, Poll};
@@ -16,6 +17,7 @@ use super::prompt::{Among, Answer, Prompt};
 use super::recovery::{LeftBehind, Recovery};
 use super::state::{NoticeKind, Page, State};
 use super::{panels, theme};
+use crate::import::{Imported, import_file};
 use crate::metal::{Metal, metal_by_name};
 use crate::preset::Preset;
 use crate::sample::Sample;
@@ -29,6 +31,11 @@ pub struct App {
     adding: Option<Job<PathBuf, Result<Metal, String>>>,
     reading: Option<Job<Source, Result<Loaded, String>>>,
     saving: Option<Job<Saving, Result<(), String>>>,
+    importing: Option<Job<PathBuf, Result<Imported, String>>>,
+    export: Option<ExportDialog>,
+    /// What the system's dialog is asked to find a place for.
+    choosing: Option<Asked>,
+    writing: Option<Job<Writing, Result<String, Failure>>>,
     /// What was asked before the preset had to be saved.
     after_saving: Option<Action>,
     may_close: bool,
@@ -56,6 +63,10 @@ impl App {
             adding: None,
             reading: None,
             saving: None,
+            importing: None,
+            export: None,
+            choosing: None,
+            writing: None,
             after_saving: None,
             may_close: false,
             recovery: None,
@@ -99,11 +110,15 @@ impl App {
             self.loading.is_some() || self.reading.is_some() || self.adding.is_some() || self.saving.is_some();
         has_jobs
             || self.recovery.as_ref().is_some_and(Recovery::is_busy)
+            || self.importing.is_some()
+            || self.writing.is_some()
+            || self.export.as_ref().is_some_and(ExportDialog::is_busy)
             || self.dialog.is_some()
             || is_photograph_busy
             || self.state.spheres.is_busy()
             || self.state.metals.is_busy()
             || self.state.demonstrations.is_busy()
+            || (self.state.page == Page::Library && self.state.library.is_busy())
     }
 
     fn perform(&mut self, ctx: &Context, action: Action) {
@@ -123,15 +138,16 @@ impl App {
             Action::StopReading => self.reading = None,
             Action::ClosePhotograph => self.state.photograph = None,
             Action::SaveTo(path) => self.save(ctx, path),
+            Action::OpenLibrary(folder) => {
+                self.state.library.open(folder);
+                self.state.page = Page::Library;
+            }
+            Action::Import(path) => self.import(ctx, path),
+            Action::Write(writing) => self.write(ctx, *writing),
+            Action::StartWith(preset) => self.start_with(*preset),
             Action::StartFrom(metal) => {
-                let space = self.state.document.space();
-                self.state.document = Document::new(Preset::from_metal(metal, space), None);
+                self.start_with(Preset::from_metal(metal, self.state.document.space()));
                 self.state.view.metal = Some(metal);
-                self.state.page = Page::Author;
-                // Another preset: the photograph that is open says nothing about it.
-                if let Some(session) = &mut self.state.photograph {
-                    session.is_followed = false;
-                }
             }
             Action::AddMetal(path) => self.add_metal(ctx, path),
             Action::ChooseReferenceMetal => self.prompt = Some(Prompt::find(Among::ReferenceMetals)),
@@ -164,12 +180,22 @@ impl App {
         }
     }
 
+    /// Another preset, not in a file yet: the photograph that is open says nothing about it.
+    fn start_with(&mut self, preset: Preset) {
+        self.state.document = Document::new(preset, None);
+        self.state.page = Page::Author;
+        if let Some(session) = &mut self.state.photograph {
+            session.is_followed = false;
+        }
+    }
+
     fn run(&mut self, ctx: &Context, command: Command) {
         match command {
             Command::New => self.state.document = Document::new(Preset::new_authored(), None),
             Command::Open => self.ask_system(ctx, Purpose::Open),
             Command::OpenPath => self.ask_path(Purpose::Open, None),
             Command::OpenSample => self.prompt = Some(Prompt::find(Among::Samples)),
+            Command::OpenLibrary => self.ask_system(ctx, Purpose::Library),
             Command::NewFromMetal => self.prompt = Some(Prompt::find(Among::MetalsToStartFrom)),
             Command::Save => match self.state.document.file().map(Path::to_owned) {
                 Some(path) => self.save(ctx, path),
@@ -177,6 +203,11 @@ impl App {
             },
             Command::SaveAs => self.ask_system(ctx, Purpose::Save),
             Command::SavePath => self.ask_path(Purpose::Save, None),
+            Command::Import => self.ask_system(ctx, Purpose::Import),
+            Command::Export => {
+                let folder = self.state.document.file().and_then(Path::parent).map(Path::to_owned);
+                self.export = Some(ExportDialog::new(self.state.document.space(), folder));
+            }
             Command::Quit => {
                 self.may_close = true;
                 ctx.send_viewport_cmd(ViewportCommand::Close);
@@ -199,6 +230,7 @@ impl App {
             Command::ShowAuthor => self.state.page = Page::Author,
             Command::ShowMetals => self.state.page = Page::Metals,
             Command::ShowDemonstrations => self.state.page = Page::Demonstrations,
+            Command::ShowLibrary => self.state.page = Page::Library,
             Command::Compare => self.prompt = Some(Prompt::find(Among::MetalsToCompare)),
             Command::CompareNone => self.state.view.metal = None,
             Command::ToggleGrazing => self.state.view.is_grazing_only ^= true,
@@ -252,7 +284,7 @@ impl App {
     fn file_name(&self, purpose: Purpose) -> String {
         match purpose {
             Purpose::SavePiece(piece) => self.state.demonstrations.exhibit(self.state.open()).file_name(piece),
-            Purpose::Open | Purpose::Save => format!("{}.json", self.state.document.preset.file_stem()),
+            _ => format!("{}.json", self.state.document.preset.file_stem()),
         }
     }
 
@@ -260,7 +292,7 @@ impl App {
         let text = match (purpose, self.state.document.file()) {
             (Purpose::Save, Some(path)) => path.display().to_string(),
             (Purpose::Save | Purpose::SavePiece(_), _) => self.file_name(purpose),
-            (Purpose::Open, _) => String::new(),
+            (Purpose::Open | Purpose::Import | Purpose::Library | Purpose::Export(_), _) => String::new(),
         };
         self.prompt = Some(Prompt::Path { purpose, text, reason });
     }
@@ -270,6 +302,9 @@ impl App {
         if has_extension(&path, &["csv", "yml", "yaml"]) {
             return self.add_metal(ctx, path);
         }
+        if has_extension(&path, &["mtlx", "glb", "gltf", "txt", "ase", "gpl"]) {
+            return self.import(ctx, path);
+        }
         if !is_preset(&path) {
             return self.read(ctx, Source::File(path));
         }
@@ -278,6 +313,108 @@ impl App {
             Err(error) => Err(error.to_string()),
         });
         self.loading = self.started(job);
+    }
+
+    fn import(&mut self, ctx: &Context, path: PathBuf) {
+        let job = Job::start(ctx, "import", path, |path, _| {
+            import_file(&path, None).map_err(|error| format!("{}: {error}", path.display()))
+        });
+        self.importing = self.started(job);
+    }
+
+    fn poll_importing(&mut self, ctx: &Context) {
+        let Some(job) = self.importing.take() else { return };
+        match job.poll() {
+            Poll::Working => self.importing = Some(job),
+            Poll::Done(Ok(imported)) => self.imported(ctx, imported),
+            Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
+            Poll::Lost => self.state.notify(NoticeKind::Error, lost("importing", &job.input)),
+        }
+    }
+
+    /// One metal becomes the preset; of several a person chooses.
+    fn imported(&mut self, ctx: &Context, Imported { mut presets, notes }: Imported) {
+        for note in notes.iter().take(MOST_NOTES) {
+            self.state.notify(NoticeKind::Warning, note);
+        }
+        if notes.len() > MOST_NOTES {
+            let more = notes.len() - MOST_NOTES;
+            self.state.notify(NoticeKind::Warning, format!("{more} more notes; `edgewise import` prints them all"));
+        }
+        match presets.pop() {
+            Some(only) if presets.is_empty() => self.perform(ctx, Action::StartWith(Box::new(only))),
+            Some(last) => {
+                presets.push(last);
+                self.prompt = Some(Prompt::Imported { presets, text: String::new() });
+            }
+            None => {}
+        }
+    }
+
+    fn write(&mut self, ctx: &Context, writing: Writing) {
+        let job = Job::start(ctx, "export", writing, |writing, _| write(&writing));
+        self.writing = self.started(job);
+    }
+
+    fn poll_writing(&mut self) {
+        let Some(job) = self.writing.take() else { return };
+        let status = match job.poll() {
+            Poll::Working => {
+                self.writing = Some(job);
+                return;
+            }
+            Poll::Done(Ok(done)) => Ok(done),
+            Poll::Done(Err(Failure::Exists(path))) => {
+                self.prompt = Some(Prompt::Replace(Box::new(Writing { path, ..job.input.clone() })));
+                return;
+            }
+            Poll::Done(Err(Failure::Other(error))) => Err(error),
+            Poll::Lost => Err(lost("exporting", &job.input.path)),
+        };
+        match (&mut self.export, status) {
+            (Some(dialog), status) => dialog.say(status),
+            (None, Err(error)) => self.state.notify(NoticeKind::Error, error),
+            (None, Ok(_)) => {}
+        }
+    }
+
+    /// Shows the dialog of an export, if it is open.
+    fn export_dialog(&mut self, ui: &Ui) {
+        let is_waiting = self.dialog.is_some();
+        let Some(dialog) = &mut self.export else { return };
+        match dialog.show(ui, &self.state.document.preset, is_waiting) {
+            ExportAnswer::None => {}
+            ExportAnswer::Close => {
+                (self.export, self.choosing) = (None, None);
+                self.dialog.take_if(|dialog| matches!(dialog.purpose(), Purpose::Export(_)));
+            }
+            ExportAnswer::Copy(text) => {
+                ui.ctx().copy_text(text);
+                dialog.say(Ok("Copied".to_owned()));
+            }
+            ExportAnswer::StopWaiting => self.dialog = None,
+            ExportAnswer::Write(asked, path) => {
+                self.write(ui.ctx(), Writing { asked, path, may_replace: false });
+            }
+            ExportAnswer::Choose(asked, file_name) => {
+                match FileDialog::open(ui.ctx(), Purpose::Export(asked.target), &file_name) {
+                    Ok(system) => (self.dialog, self.choosing) = (Some(system), Some(asked)),
+                    Err(_) => dialog.say(Err(NO_DIALOG.to_owned())),
+                }
+            }
+        }
+    }
+
+    /// The system's dialog has found a place for an export, or none.
+    fn chosen_for_export(&mut self, ctx: &Context, outcome: Outcome) {
+        let asked = self.choosing.take();
+        match (outcome, asked, &mut self.export) {
+            (Outcome::Picked(path), Some(asked), _) => {
+                self.write(ctx, Writing { asked, path, may_replace: false });
+            }
+            (Outcome::NoService, _, Some(dialog)) => dialog.say(Err(NO_DIALOG.to_owned())),
+            _ => {}
+        }
     }
 
     fn add_metal(&mut self, ctx: &Context, path: PathBuf) {
@@ -325,6 +462,9 @@ impl App {
                 Poll::Done(Ok((preset, warnings))) => {
                     self.state.document = Document::new(preset, Some(job.input.clone()));
                     self.meet_photograph();
+                    if self.state.page == Page::Library {
+                        self.state.page = Page::Author;
+                    }
                     for warning in warnings {
                         self.state.notify(NoticeKind::Warning, warning);
                     }
@@ -338,6 +478,8 @@ impl App {
         for failure in self.state.demonstrations.poll_exports() {
             self.state.notify(NoticeKind::Error, failure);
         }
+        self.poll_importing(ctx);
+        self.poll_writing();
         if let Some(job) = self.saving.take() {
             match job.poll() {
                 Poll::Working => self.saving = Some(job),
@@ -401,11 +543,17 @@ impl App {
             return;
         };
         self.dialog = None;
+        if matches!(purpose, Purpose::Export(_)) {
+            return self.chosen_for_export(ctx, outcome);
+        }
         match outcome {
             Outcome::Picked(path) => match purpose {
                 Purpose::Open => self.perform(ctx, Action::Load(path)),
                 Purpose::Save => self.save(ctx, path),
                 Purpose::SavePiece(piece) => self.save_piece(ctx, piece, path),
+                Purpose::Library => self.apply(ctx, Action::OpenLibrary(path)),
+                Purpose::Import => self.import(ctx, path),
+                Purpose::Export(_) => {}
             },
             Outcome::Cancelled => self.after_saving = None,
             Outcome::NoService => self.ask_path(purpose, Some(NO_DIALOG)),
@@ -432,6 +580,7 @@ impl App {
             }
             Page::Metals => panels::metals::show(ui, &mut self.state, actions),
             Page::Demonstrations => panels::demonstrations::show(ui, &mut self.state, actions),
+            Page::Library => panels::library::show(ui, &mut self.state, actions),
         }
     }
 
@@ -531,13 +680,19 @@ impl App {
     }
 }
 
+/// More notes of one import would push everything else off the window.
+const MOST_NOTES: usize = 4;
+
 const NO_DIALOG: &str = "There is no file dialog service on this system. Type the path instead.";
 
 /// Whether an action replaces the document or ends the program.
 fn loses_changes(action: &Action) -> bool {
     match action {
         Action::Load(path) => is_preset(path),
-        Action::Run(Command::New | Command::Quit) | Action::StartFrom(_) | Action::Recover(_) => true,
+        Action::Run(Command::New | Command::Quit)
+        | Action::StartFrom(_)
+        | Action::StartWith(_)
+        | Action::Recover(_) => true,
         _ => false,
     }
 }
@@ -563,10 +718,11 @@ impl eframe::App for App {
         self.follow_photograph(&ctx);
         let mut actions = Vec::new();
         self.open_dropped_files(&ctx, &mut actions);
-        if self.prompt.is_none() {
+        if self.prompt.is_none() && self.export.is_none() {
             actions.extend(Command::pressed(&ctx).map(Action::from));
         }
         self.panels(ui, &mut actions);
+        self.export_dialog(ui);
         self.answer_prompt(ui);
         self.guard_closing(&ctx);
         for action in actions {

@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use eframe::egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Ui};
 
 use super::demonstrations::{Choice, Piece, Slot};
+use super::export::Writing;
 use super::recovery::LeftBehind;
 use super::state::{Page, State};
 use crate::metal::Metal;
+use crate::preset::Preset;
 use crate::sample::Sample;
 
 /// Something with a menu entry, a key, or both.
@@ -21,6 +23,8 @@ pub enum Command {
     OpenPath,
     /// Opens a photograph that ships with the program.
     OpenSample,
+    /// Shows a folder of presets.
+    OpenLibrary,
     /// Starts a preset from a measured metal.
     NewFromMetal,
     /// Saves the preset to its file.
@@ -29,6 +33,10 @@ pub enum Command {
     SaveAs,
     /// Saves the preset to a path that is typed.
     SavePath,
+    /// Reads what another program wrote.
+    Import,
+    /// Writes the preset for a renderer.
+    Export,
     /// Closes the window.
     Quit,
     /// Takes back the last step.
@@ -55,6 +63,8 @@ pub enum Command {
     ShowMetals,
     /// Shows the page of demonstrations.
     ShowDemonstrations,
+    /// Shows the page of the library.
+    ShowLibrary,
     /// Chooses the measured metal to compare with.
     Compare,
     /// Compares with nothing.
@@ -78,15 +88,18 @@ type Menu = (&'static str, &'static [&'static [Command]]);
 
 impl Command {
     /// Every command, in menu order.
-    pub const ALL: [Self; 29] = [
+    pub const ALL: [Self; 33] = [
         Self::New,
         Self::Open,
         Self::OpenPath,
         Self::OpenSample,
+        Self::OpenLibrary,
         Self::NewFromMetal,
         Self::Save,
         Self::SaveAs,
         Self::SavePath,
+        Self::Import,
+        Self::Export,
         Self::Quit,
         Self::Undo,
         Self::Redo,
@@ -100,6 +113,7 @@ impl Command {
         Self::ShowPhotograph,
         Self::ShowMetals,
         Self::ShowDemonstrations,
+        Self::ShowLibrary,
         Self::Compare,
         Self::CompareNone,
         Self::ToggleGrazing,
@@ -116,8 +130,9 @@ impl Command {
             "File",
             &[
                 &[Self::New, Self::NewFromMetal],
-                &[Self::Open, Self::OpenPath, Self::OpenSample],
+                &[Self::Open, Self::OpenPath, Self::OpenSample, Self::OpenLibrary],
                 &[Self::Save, Self::SaveAs, Self::SavePath],
+                &[Self::Import, Self::Export],
                 &[Self::Quit],
             ],
         ),
@@ -133,7 +148,13 @@ impl Command {
         (
             "View",
             &[
-                &[Self::ShowAuthor, Self::ShowPhotograph, Self::ShowMetals, Self::ShowDemonstrations],
+                &[
+                    Self::ShowAuthor,
+                    Self::ShowPhotograph,
+                    Self::ShowMetals,
+                    Self::ShowDemonstrations,
+                    Self::ShowLibrary,
+                ],
                 &[Self::Compare, Self::CompareNone],
                 &[Self::ToggleGrazing],
                 &[Self::ToggleTheme],
@@ -149,10 +170,13 @@ impl Command {
             Self::Open => "Open…",
             Self::OpenPath => "Open path…",
             Self::OpenSample => "Open sample photograph…",
+            Self::OpenLibrary => "Open library folder…",
             Self::NewFromMetal => "New from metal…",
             Self::Save => "Save",
             Self::SaveAs => "Save as…",
             Self::SavePath => "Save to path…",
+            Self::Import => "Import…",
+            Self::Export => "Export…",
             Self::Quit => "Quit",
             Self::Undo => "Undo",
             Self::Redo => "Redo",
@@ -166,6 +190,7 @@ impl Command {
             Self::ShowPhotograph => "Photograph page",
             Self::ShowMetals => "Metals page",
             Self::ShowDemonstrations => "Demonstrations page",
+            Self::ShowLibrary => "Library page",
             Self::Compare => "Compare with metal…",
             Self::CompareNone => "Compare with nothing",
             Self::ToggleGrazing => "Show 60–90° only",
@@ -182,12 +207,15 @@ impl Command {
         match self {
             Self::New => "Start from a neutral grey metal",
             Self::Open => "Choose a preset or a photograph in the system's dialog",
+            Self::OpenLibrary => "Look through the presets of a folder, with thumbnails and search",
             Self::OpenSample => "Open a photograph that ships with the program",
             Self::OpenPath => "Type the path of a preset or a photograph",
             Self::NewFromMetal => "Start from the exact r and h of a measured metal",
             Self::Save => "Write the preset to its file",
             Self::SaveAs => "Choose a file in the system's dialog",
             Self::SavePath => "Type the path to write to",
+            Self::Import => "Read metals from MaterialX, glTF, tables, pasted values or palettes",
+            Self::Export => "Write the preset for a renderer, and see first what it will show",
             Self::Quit => "Close the window",
             Self::Undo => "Take back the last change",
             Self::Redo => "Make the change again",
@@ -201,6 +229,7 @@ impl Command {
             Self::ShowPhotograph => "Mark a photograph, and hold it against the rendered match",
             Self::ShowMetals => "Look at measured metals and how far models are from them",
             Self::ShowDemonstrations => "See why r and h, on your own preset or metal",
+            Self::ShowLibrary => "Look through a folder of presets",
             Self::Compare => "Draw the measured truth of a metal beneath the preset",
             Self::CompareNone => "Draw the preset alone",
             Self::ToggleGrazing => "Spread the angles where metals differ most over the whole plot",
@@ -223,6 +252,8 @@ impl Command {
             Self::NewFromMetal => (COMMAND_SHIFT, Key::N),
             Self::Save => (Modifiers::COMMAND, Key::S),
             Self::SaveAs => (COMMAND_SHIFT, Key::S),
+            Self::Import => (Modifiers::COMMAND, Key::I),
+            Self::Export => (Modifiers::COMMAND, Key::E),
             Self::Quit => (Modifiers::COMMAND, Key::Q),
             Self::Undo => (Modifiers::COMMAND, Key::Z),
             Self::Redo => (COMMAND_SHIFT, Key::Z),
@@ -232,6 +263,7 @@ impl Command {
             Self::ShowPhotograph => (Modifiers::COMMAND, Key::P),
             Self::ShowMetals => (Modifiers::COMMAND, Key::Num2),
             Self::ShowDemonstrations => (Modifiers::COMMAND, Key::Num3),
+            Self::ShowLibrary => (Modifiers::COMMAND, Key::Num5),
             Self::Compare => (Modifiers::COMMAND, Key::M),
             Self::ToggleGrazing => (Modifiers::COMMAND, Key::G),
             Self::ToggleTheme => (Modifiers::COMMAND, Key::L),
@@ -240,6 +272,7 @@ impl Command {
             Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
             Self::Find => (Modifiers::COMMAND, Key::K),
             Self::SavePath
+            | Self::OpenLibrary
             | Self::CopyRSrgb
             | Self::CopyRHex
             | Self::CopyHSrgb
@@ -279,6 +312,7 @@ impl Command {
             Page::Photograph => Self::ShowPhotograph,
             Page::Metals => Self::ShowMetals,
             Page::Demonstrations => Self::ShowDemonstrations,
+            Page::Library => Self::ShowLibrary,
         }
     }
 
@@ -301,6 +335,14 @@ pub(crate) enum Action {
     Load(PathBuf),
     /// Writes the preset to a file.
     SaveTo(PathBuf),
+    /// Reads what another program wrote.
+    Import(PathBuf),
+    /// Starts from a preset that came from elsewhere.
+    StartWith(Box<Preset>),
+    /// Writes the preset for a renderer.
+    Write(Box<Writing>),
+    /// Shows a folder of presets.
+    OpenLibrary(PathBuf),
     /// Opens a built-in photograph.
     OpenSample(&'static Sample),
     /// Gives up the photograph that is being read.

@@ -10,6 +10,7 @@ use eframe::egui::Context;
 
 use super::demonstrations::Piece;
 use super::job::{Job, Poll};
+use crate::export::Target;
 
 /// What the file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +21,12 @@ pub(crate) enum Purpose {
     Save,
     /// Where to write a piece of a demonstration.
     SavePiece(Piece),
+    /// A folder of presets.
+    Library,
+    /// What another program wrote.
+    Import,
+    /// Where to write for a renderer.
+    Export(Target),
 }
 
 /// What came of a dialog.
@@ -31,6 +38,9 @@ pub(crate) enum Outcome {
     /// There is no dialog service: it answered before a person could.
     NoService,
 }
+
+/// The extensions that can be imported.
+const IMPORTED: [&str; 8] = ["mtlx", "glb", "gltf", "csv", "txt", "ase", "gpl", "json"];
 
 /// No person cancels a dialog faster than this.
 const FASTEST_PERSON: Duration = Duration::from_millis(150);
@@ -46,6 +56,14 @@ impl FileDialog {
         // Built here: macOS wants the dialog made on the main thread and awaited elsewhere.
         let choice: Choice = match purpose {
             Purpose::Open => Box::pin(dialog().pick_file()),
+            Purpose::Library => Box::pin(rfd::AsyncFileDialog::new().pick_folder()),
+            Purpose::Import => Box::pin(
+                rfd::AsyncFileDialog::new()
+                    .add_filter("Files of other programs", &IMPORTED)
+                    .add_filter("All files", &["*"])
+                    .pick_file(),
+            ),
+            Purpose::Export(target) => save_dialog(target.label(), target.extension(), file_name),
             Purpose::Save => save_dialog("Edgewise preset", "json", file_name),
             Purpose::SavePiece(piece) => save_dialog("Demonstration", piece.extension(), file_name),
         };

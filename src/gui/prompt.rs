@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use eframe::egui::{Id, Key, Label, Modal, Modifiers, ScrollArea, TextEdit, Ui};
+use eframe::egui::{Button, Id, Key, Label, Modal, Modifiers, ScrollArea, TextEdit, Ui, Vec2};
 
 use super::command::{Action, Command};
 use super::demonstrations::{Choice, Slot};
+use super::export::Writing;
 use super::file_dialog::Purpose;
 use super::recovery::LeftBehind;
 use super::state::State;
@@ -13,6 +14,7 @@ use super::theme;
 use super::truth::library_colours;
 use super::widgets::swatch;
 use crate::metal::{Metal, metals};
+use crate::preset::Preset;
 use crate::sample::{Sample, samples};
 
 /// The question on show.
@@ -30,6 +32,15 @@ pub(crate) enum Prompt {
         text: String,
         /// Why a path is asked for, where that needs saying.
         reason: Option<&'static str>,
+    },
+    /// Whether an export may take the place of the file that is there.
+    Replace(Box<Writing>),
+    /// Which of several imported metals to start with.
+    Imported {
+        /// The metals.
+        presets: Vec<Preset>,
+        /// What has been typed.
+        text: String,
     },
     /// Something to find by its name.
     Find {
@@ -84,6 +95,8 @@ impl Prompt {
             Self::Unsaved(action) => unsaved(ui, state, action),
             Self::LeftBehind(left) => left_behind(ui, left),
             Self::Path { purpose, text, reason } => path(ui, *purpose, text, *reason),
+            Self::Replace(writing) => replace(ui, writing),
+            Self::Imported { presets, text } => imported(ui, presets, text),
             Self::Find { among, text, chosen } => find(ui, state, *among, text, chosen),
         });
         match modal.inner {
@@ -145,6 +158,9 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
         Purpose::Open => ("Open a preset or a photograph", "Open"),
         Purpose::Save => ("Save the preset", "Save"),
         Purpose::SavePiece(_) => ("Export the demonstration", "Export"),
+        Purpose::Library => ("Show a folder of presets", "Show"),
+        Purpose::Import => ("Import what another program wrote", "Import"),
+        Purpose::Export(target) => (target.label(), "Export"),
     };
     ui.heading(title);
     if let Some(reason) = reason {
@@ -159,18 +175,69 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
     ui.add_space(theme::GAP);
     ui.horizontal(|ui| {
         let path = text.trim();
-        let is_chosen = ui.add_enabled(!path.is_empty(), eframe::egui::Button::new(verb)).clicked();
+        let is_chosen = ui.add_enabled(!path.is_empty(), Button::new(verb)).clicked();
         if (is_chosen || is_entered) && !path.is_empty() {
             let path = PathBuf::from(path);
             return Answer::Do(match purpose {
                 Purpose::Open => Action::Load(path),
                 Purpose::Save => Action::SaveTo(path),
                 Purpose::SavePiece(piece) => Action::SavePieceTo(piece, path),
+                Purpose::Library => Action::OpenLibrary(path),
+                Purpose::Import => Action::Import(path),
+                // An export has a field for the path in its own dialog.
+                Purpose::Export(_) => return Answer::Cancel,
             });
         }
         if ui.button("Cancel").clicked() { Answer::Cancel } else { Answer::None }
     })
     .inner
+}
+
+fn replace(ui: &mut Ui, writing: &Writing) -> Answer {
+    ui.set_width(theme::DIALOG_WIDTH);
+    ui.heading("Replace the file?");
+    ui.add(Label::new(format!("{} is there already and says something else.", writing.path.display())).wrap());
+    ui.add_space(theme::GROUP_GAP);
+    ui.horizontal(|ui| {
+        let replace = ui.button("Replace").on_hover_text("The file that is there is lost");
+        let cancel = ui.button("Cancel").on_hover_text("Leave the file as it is");
+        if replace.clicked() {
+            let writing = Writing { may_replace: true, ..writing.clone() };
+            Answer::Do(Action::Write(Box::new(writing)))
+        } else if cancel.clicked() {
+            Answer::Cancel
+        } else {
+            Answer::None
+        }
+    })
+    .inner
+}
+
+/// A list of metals that came together; one of them becomes the preset.
+fn imported(ui: &mut Ui, presets: &[Preset], text: &mut String) -> Answer {
+    ui.set_width(theme::FINDER_WIDTH);
+    ui.heading(format!("{} metals were found", presets.len()));
+    let hint = "Search the imported metals";
+    ui.add(TextEdit::singleline(text).desired_width(f32::INFINITY).hint_text(hint)).accessible_name(hint);
+    let typed = text.trim().to_lowercase();
+    let found: Vec<&Preset> = presets.iter().filter(|preset| preset.name.to_lowercase().contains(&typed)).collect();
+    let mut answer = Answer::None;
+    let list = ScrollArea::vertical().max_height(theme::FINDER_HEIGHT).auto_shrink([false, true]);
+    list.show_rows(ui, theme::ROW, found.len(), |ui, rows| {
+        for preset in &found[rows] {
+            ui.horizontal(|ui| {
+                for colour in [preset.r, preset.h] {
+                    swatch(ui, colour, preset.space, Vec2::splat(16.0));
+                }
+                let button = Button::selectable(false, &preset.name).right_text(theme::hint(preset.space.label()));
+                let button = ui.add(button.min_size(Vec2::new(ui.available_width(), theme::ROW)).truncate());
+                if button.accessible_name(format!("Start with {}", preset.name)).clicked() {
+                    answer = Answer::Do(Action::StartWith(Box::new((*preset).clone())));
+                }
+            });
+        }
+    });
+    if ui.button("Cancel").clicked() { Answer::Cancel } else { answer }
 }
 
 fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mut usize) -> Answer {
@@ -237,7 +304,7 @@ impl Entry {
     }
 
     fn show(&self, ui: &mut Ui, state: &State, is_chosen: bool) -> eframe::egui::Response {
-        let row = |left: String, right: String| eframe::egui::Button::selectable(is_chosen, left).right_text(right);
+        let row = |left: String, right: String| Button::selectable(is_chosen, left).right_text(right);
         match self {
             Self::Command(command) => {
                 let key = command.shortcut().map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default();
@@ -260,7 +327,7 @@ impl Entry {
                 let (r, h) = library_colours(space)[*index];
                 ui.horizontal(|ui| {
                     for colour in [r, h] {
-                        swatch(ui, colour, space, eframe::egui::Vec2::splat(16.0));
+                        swatch(ui, colour, space, Vec2::splat(16.0));
                     }
                     let source = format!("{}  {}", metal.provenance.citation(), metal.dataset);
                     let button = row(metal.name.clone(), source);

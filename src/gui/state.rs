@@ -2,6 +2,7 @@
 
 use super::demonstrations::{DemonstrationsPage, Open};
 use super::document::Document;
+use super::library::LibraryPage;
 use super::metals::MetalsPage;
 use super::photograph::Session;
 use super::spheres::Spheres;
@@ -21,6 +22,7 @@ pub struct State {
     pub(crate) view: View,
     pub(crate) metals: MetalsPage,
     pub(crate) demonstrations: DemonstrationsPage,
+    pub(crate) library: LibraryPage,
     pub(crate) photograph: Option<Session>,
     /// What is typed in the field for the path of a photograph.
     pub(crate) path: String,
@@ -37,6 +39,7 @@ impl State {
             view: View::default(),
             metals: MetalsPage::default(),
             demonstrations: DemonstrationsPage::default(),
+            library: LibraryPage::default(),
             photograph: None,
             path: String::new(),
             truth: TruthCurves::default(),
@@ -81,11 +84,13 @@ pub enum Page {
     Metals,
     /// Why r and h: the paper's argument on a person's own metal.
     Demonstrations,
+    /// A folder of presets.
+    Library,
 }
 
 impl Page {
     /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 4] = [Self::Author, Self::Photograph, Self::Metals, Self::Demonstrations];
+    pub const ALL: [Self; 5] = [Self::Author, Self::Photograph, Self::Metals, Self::Demonstrations, Self::Library];
 
     /// The name on its tab.
     pub const fn label(self) -> &'static str {
@@ -94,6 +99,7 @@ impl Page {
             Self::Photograph => "Photograph",
             Self::Metals => "Metals",
             Self::Demonstrations => "Demonstrations",
+            Self::Library => "Library",
         }
     }
 }

@@ -41,6 +41,8 @@ pub(crate) const MATCH_GAP: f32 = 10.0;
 pub(crate) const TAB_WIDTH: f32 = 92.0;
 /// Width of the name of a mark.
 pub(crate) const MARK_WIDTH: f32 = 104.0;
+/// Height of a preset in a list, with its sphere.
+pub(crate) const THUMBNAIL: f32 = 52.0;
 /// Side of a sphere preview.
 pub(crate) const SPHERE: f32 = 176.0;
 /// Side of the swatch of a colour editor.
@@ -51,6 +53,12 @@ pub(crate) const STRIP: f32 = 30.0;
 pub(crate) const AXIS_WIDTH: f32 = 34.0;
 /// Width of a modal dialog.
 pub(crate) const DIALOG_WIDTH: f32 = 440.0;
+/// Size of the dialog of an export; it fits into the smallest window.
+pub(crate) const EXPORT_SIZE: [f32; 2] = [920.0, 560.0];
+/// Width of its list of targets.
+pub(crate) const TARGET_LIST: f32 = 236.0;
+/// Size of its plot.
+pub(crate) const EXPORT_PLOT: Vec2 = Vec2::new(370.0, 190.0);
 /// Width of the searchable menu.
 pub(crate) const FINDER_WIDTH: f32 = 320.0;
 /// Height of the searchable menu's list.

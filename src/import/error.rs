@@ -9,6 +9,10 @@ use crate::preset::FormatError;
 #[derive(Debug, Error)]
 #[expect(missing_docs, reason = "each variant is said in its message")]
 pub enum ImportError {
+    #[error(transparent)]
+    Io(#[from] std::io::Error),
+    #[error("it is no regular file")]
+    NotRegular,
     #[error("it is larger than {0} MiB, the limit for a file of this kind")]
     TooLarge(usize),
     #[error("it has more than {0} metals")]

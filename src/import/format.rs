@@ -1,5 +1,8 @@
 //! Which kind of file it is, and who reads it.
 
+use std::fs;
+use std::path::Path;
+
 use super::{ImportError, Imported, ase, gltf, gpl, materialx, table, values};
 use crate::color::RgbSpace;
 use crate::preset::Preset;
@@ -51,6 +54,17 @@ impl ImportFormat {
             _ => 16,
         }
     }
+}
+
+/// Reads the presets of a file that is opened only where its name and size promise something to read.
+pub fn import_file(path: &Path, space: Option<RgbSpace>) -> Result<Imported, ImportError> {
+    let format = ImportFormat::of_name(&path.to_string_lossy()).ok_or(ImportError::UnknownFormat)?;
+    let metadata = fs::metadata(path)?;
+    if !metadata.is_file() {
+        return Err(ImportError::NotRegular);
+    }
+    format.check_size(metadata.len())?;
+    import(format, &fs::read(path)?, space)
 }
 
 /// Reads the presets of a file. `space` is for values that come without a colour space; what a file says wins.

@@ -19,5 +19,5 @@ mod values;
 mod xml;
 
 pub use error::ImportError;
-pub use format::{ImportFormat, import};
+pub use format::{ImportFormat, import, import_file};
 pub use imported::Imported;

@@ -92,6 +92,14 @@ impl Window {
         self.press(Modifiers::NONE, Key::Enter);
     }
 
+    /// Empties a field.
+    pub fn clear(&mut self, name: &str) {
+        self.harness.get_by_label(name).click();
+        self.settle();
+        self.press(Modifiers::COMMAND, Key::A);
+        self.press(Modifiers::NONE, Key::Backspace);
+    }
+
     /// Answers the question for a path.
     pub fn answer_path(&mut self, path: &Path) {
         self.press(Modifiers::COMMAND, Key::A);

@@ -2,6 +2,7 @@
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --test window` writes the pictures anew; look at them before committing them.
 
+use edgewise::preset::{Preset, built_in_presets};
 use edgewise::sample::samples;
 use eframe::egui::{Key, Modifiers, Theme};
 
@@ -42,6 +43,42 @@ fn metals_to_choose_from() {
     window.press(Modifiers::COMMAND | Modifiers::SHIFT, Key::N);
     window.type_text("gold");
     window.picture("finder");
+}
+
+fn export_of_gold(theme: Theme, name: &str) {
+    let mut window = Window::for_picture(theme);
+    window.press(Modifiers::COMMAND | Modifiers::SHIFT, Key::N);
+    window.type_text("gold");
+    window.press(Modifiers::NONE, Key::Enter);
+    window.press(Modifiers::COMMAND, Key::E);
+    window.click("MaterialX standard surface");
+    window.picture(name);
+}
+
+#[test]
+fn an_export_in_the_dark() {
+    export_of_gold(Theme::Dark, "export");
+}
+
+#[test]
+fn an_export_in_the_light() {
+    export_of_gold(Theme::Light, "export_light");
+}
+
+#[test]
+fn the_page_of_the_library() {
+    let folder = tempfile::tempdir().unwrap();
+    for preset in built_in_presets().iter().take(12) {
+        let tags = vec![if preset.r[0] > 0.8 { "bright" } else { "dim" }.to_owned()];
+        let preset = Preset { tags, roughness: 0.3, ..preset.clone() };
+        preset.save(&folder.path().join(preset.file_stem() + ".json")).unwrap();
+    }
+    let mut window = Window::for_picture(Theme::Dark);
+    window.press(Modifiers::COMMAND, Key::Num5);
+    window.enter("Path of a folder of presets", folder.path().to_str().unwrap());
+    // The folder is called otherwise every time.
+    window.clear("Path of a folder of presets");
+    window.picture("library");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 pub(crate) mod curves;
 pub(crate) mod demonstrations;
 pub(crate) mod inspector;
+pub(crate) mod library;
 pub(crate) mod menu_bar;
 pub(crate) mod metals;
 pub(crate) mod notices;
