@@ -79,7 +79,7 @@ pub(super) fn metal_row(ui: &mut Ui, session: &Session, actions: &mut Vec<Action
         lead(ui, "of metal");
         let button = ui.add(Button::new(&words).truncate());
         let button = button.on_hover_text(format!("{words}. Choose another metal of the library"));
-        if button.accessible_name("Metal of the reference ball").clicked() {
+        if button.accessible_name(format!("Metal of the reference ball: {words}")).clicked() {
             actions.push(Action::ChooseReferenceMetal);
         }
     });
