@@ -11,6 +11,7 @@
 //! | [`color`] | linear triples, RGB spaces, adaptation, Lab and CIEDE2000, encodings |
 //! | [`spectrum`] | the observer, the illuminants, the way from a spectrum to RGB |
 //! | [`fresnel`] | one file per model, and the region of reflectances |
+//! | [`kernel`] | the same models in 32 bits over slices, on the processor's vectors |
 //! | [`metal`] | measured n and k, and the ground truth they give |
 //! | [`fit`] | parameters of each model for a measured metal; conversions |
 //! | [`photo`] | from the pixels of a photograph to r and h |
@@ -32,6 +33,7 @@ pub mod file;
 pub mod fit;
 pub mod fresnel;
 pub mod import;
+pub mod kernel;
 pub mod metal;
 pub mod number;
 pub mod photo;

@@ -6,6 +6,7 @@ mod demonstrations;
 mod material;
 mod shown;
 mod trade;
+mod speed;
 
 use std::ops::ControlFlow;
 
@@ -42,6 +43,8 @@ enum Subject {
     Feasibility(demonstrations::FeasibilityCommand),
     /// How much accuracy there is for how much cost
     Trade(trade::TradeCommand),
+    /// What each model costs on this machine: time, parameters and operations
+    Speed(speed::SpeedCommand),
 }
 
 #[derive(Debug, Args)]
@@ -80,6 +83,7 @@ impl Study {
             Subject::Uniformity(command) => command.run(),
             Subject::Feasibility(command) => command.run(),
             Subject::Trade(command) => command.run(),
+            Subject::Speed(command) => command.run(),
         }
     }
 }

@@ -12,6 +12,7 @@
 //! | do equal steps of a slider look equal? | `uniformity` |
 //! | which r and h are reflectances? | `feasibility` |
 //! | how much accuracy is there for how much cost? | `trade`, of the variants in `variant`, `form` and `cost` |
+//! | what does a model cost on this machine? | `speed`, with the contestants `speed_kernels` |
 //!
 //! A [`Subject`] is what a demonstration is about; [`Contestants`] are its four descriptions in one space.
 
@@ -32,6 +33,8 @@ mod measure;
 mod painted;
 mod parameters;
 mod quantisation;
+mod speed;
+mod speed_kernels;
 mod spread;
 mod subject;
 mod summary;
@@ -68,6 +71,7 @@ pub use parameters::{Pair, Parameters};
 pub use quantisation::{
     Encoding, GRADIENT_COLUMNS, NK_SCALE, Quantisation, QuantisationRow, Quantised, Storage, quantisation,
 };
+pub use speed::{SpeedOptions, SpeedRow, speed, speed_summary};
 pub use spread::{SpreadRow, spread};
 pub use subject::{Contestants, StudyError, Subject};
 pub use summary::{Summary, summaries};

@@ -1,0 +1,218 @@
+//! A formula, and the loop that runs it over slices.
+
+use fearless_simd::{Level, Simd, dispatch};
+
+use super::lanes::Lanes;
+use super::{Operations, Real};
+
+/// A Fresnel formula of P constants or parameters per channel that gives N numbers per channel.
+///
+/// What the channels share is computed once for all three. c is the cosine, in `[0, 1]`.
+pub trait Form<const P: usize, const N: usize = 1>: Copy {
+    /// False for a textbook form, which is given cosines as they come.
+    const HOLDS_COSINE: bool = true;
+
+    /// What depends only on the angle.
+    type Shared<T: Real>: Copy;
+
+    /// What the channels share at an angle.
+    fn shared<T: Real>(self, c: T) -> Self::Shared<T>;
+
+    /// One channel.
+    fn channel<T: Real>(self, shared: Self::Shared<T>, parameters: [T; P]) -> [T; N];
+}
+
+/// A formula with its parameters: one material. The constants are kept in 64 bits and rounded once, on use.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<F, const P: usize, const N: usize = 1> {
+    form: F,
+    channels: [[f64; P]; 3],
+}
+
+impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
+    /// A form with the constants of each channel.
+    pub(super) const fn new(form: F, channels: [[f64; P]; 3]) -> Self {
+        Self { form, channels }
+    }
+
+    /// Bytes of its constants in 32 bits.
+    pub const BYTES: usize = 3 * P * size_of::<f32>();
+
+    /// Operations for one RGB value.
+    pub fn operations(&self) -> Operations {
+        Operations::of(self.form)
+    }
+
+    /// At one cosine, as a shader would compute it: three channels of each of N results. c is held in `[0, 1]`.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, c: T) -> [[T; 3]; N] {
+        at(self.form, self.constants(c), c)
+    }
+
+    /// At every cosine; `out` has a slice for each result and channel. The shortest slice ends it.
+    pub fn over(&self, level: Level, cosines: &[f32], out: [[&mut [f32]; 3]; N]) {
+        let material = *self;
+        dispatch!(level, simd => material.over_lanes(simd, cosines, out));
+    }
+
+    #[inline(always)]
+    fn over_lanes<S: Simd>(self, simd: S, cosines: &[f32], out: [[&mut [f32]; 3]; N]) {
+        let constants = self.constants(Lanes::splat(simd, 0.0));
+        each_chunk(
+            simd,
+            (cosines, []),
+            out,
+            #[inline(always)]
+            |c, _| at(self.form, constants, c),
+        );
+    }
+
+    #[inline(always)]
+    fn constants<T: Real>(&self, kind: T) -> [[T; P]; 3] {
+        let mut constants = [[kind; P]; 3];
+        for (to, from) in constants.iter_mut().flatten().zip(self.channels.iter().flatten()) {
+            *to = kind.of(*from);
+        }
+        constants
+    }
+}
+
+/// Three slices for each of P parameters: a texture.
+pub type Planes<'a, const P: usize> = [[&'a [f32]; 3]; P];
+
+/// A formula at every pixel, its parameters from a texture: `parameters` has a slice for each and each channel.
+pub fn over_pixels<F: Form<P, N>, const P: usize, const N: usize>(
+    form: F,
+    level: Level,
+    (cosines, parameters): (&[f32], Planes<'_, P>),
+    out: [[&mut [f32]; 3]; N],
+) {
+    dispatch!(level, simd => each_chunk(simd, (cosines, parameters), out, #[inline(always)] |c, p| at(form, p, c)));
+}
+
+#[inline(always)]
+pub(super) fn at<T: Real, F: Form<P, N>, const P: usize, const N: usize>(
+    form: F,
+    parameters: [[T; P]; 3],
+    c: T,
+) -> [[T; 3]; N] {
+    let shared = form.shared(if F::HOLDS_COSINE { c.limited(0.0, 1.0) } else { c });
+    let mut results = [[c; 3]; N];
+    for (channel, parameters) in parameters.into_iter().enumerate() {
+        for (result, value) in results.iter_mut().zip(form.channel(shared, parameters)) {
+            result[channel] = value;
+        }
+    }
+    results
+}
+
+/// Calls `f` with a cosine and P parameters of each channel, as many pixels at a time as there are lanes, and writes
+/// its N results of M channels. The shortest slice ends it.
+#[inline(always)]
+pub(super) fn each_chunk<S: Simd, const P: usize, const M: usize, const N: usize>(
+    simd: S,
+    (cosines, parameters): (&[f32], Planes<'_, P>),
+    mut out: [[&mut [f32]; M]; N],
+    f: impl Fn(Lanes<S>, [[Lanes<S>; P]; 3]) -> [[Lanes<S>; M]; N],
+) {
+    let count = shortest(cosines, &parameters, &out);
+    let whole = count - count % Lanes::<S>::COUNT;
+    let mut first = 0;
+    while first < whole {
+        let here = first..first + Lanes::<S>::COUNT;
+        let mut channels = [[Lanes::splat(simd, 0.0); P]; 3];
+        for parameter in 0..P {
+            for channel in 0..3 {
+                channels[channel][parameter] = Lanes::load(simd, &parameters[parameter][channel][here.clone()]);
+            }
+        }
+        let results = f(Lanes::load(simd, &cosines[here.clone()]), channels);
+        for result in 0..N {
+            for channel in 0..M {
+                results[result][channel].store(&mut out[result][channel][here.clone()]);
+            }
+        }
+        first = here.end;
+    }
+    if whole < count {
+        let here = whole..count;
+        let mut channels = [[Lanes::splat(simd, 0.0); P]; 3];
+        for (parameter, planes) in parameters.iter().enumerate() {
+            for (channel, plane) in channels.iter_mut().zip(planes) {
+                channel[parameter] = Lanes::load_some(simd, &plane[here.clone()]);
+            }
+        }
+        let results = f(Lanes::load_some(simd, &cosines[here.clone()]), channels);
+        for (planes, results) in out.iter_mut().zip(results) {
+            for (plane, result) in planes.iter_mut().zip(results) {
+                result.store_some(&mut plane[here.clone()]);
+            }
+        }
+    }
+}
+
+/// How many numbers every slice has.
+#[inline(always)]
+fn shortest<const P: usize, const M: usize, const N: usize>(
+    cosines: &[f32],
+    parameters: &Planes<'_, P>,
+    out: &[[&mut [f32]; M]; N],
+) -> usize {
+    let count = parameters.iter().flatten().map(|plane| plane.len()).fold(cosines.len(), usize::min);
+    out.iter().flatten().map(|plane| plane.len()).fold(count, usize::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::Rgb;
+    use crate::kernel::test_support::results;
+    use crate::kernel::{Basis, ConductorAndAbsorption, levels};
+
+    #[test]
+    fn every_length_is_covered_by_every_instruction_set() {
+        let material = ConductorAndAbsorption::material(Rgb([0.2, 0.4, 1.4]), Rgb([3.4, 2.3, 1.8]));
+        for level in levels() {
+            for length in 0..40_u16 {
+                let cosines: Vec<f32> = (0..length).map(|i| f32::from(i) / 40.0).collect();
+                let results = results(&material, level, &cosines);
+                for (at, c) in cosines.iter().enumerate() {
+                    let alone = material.at(*c);
+                    for (result, channels) in results.iter().enumerate() {
+                        for channel in 0..3 {
+                            let off = (channels[channel][at] - alone[result][channel]).abs();
+                            assert!(off < 2e-6, "{level:?} {length} {c}: {off}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_shortest_slice_ends_it() {
+        let cosines = [0.5_f32; 30];
+        let [long, short] = [[0.4_f32; 30], [0.4; 30]];
+        let mut out = [[-1.0_f32; 30]; 3];
+        let [red, green, blue] = &mut out;
+        let parameters = [[&long[..], &long, &short[..21]], [&long, &long, &long]];
+        over_pixels(Basis, Level::new(), (&cosines, parameters), [[red, green, &mut blue[..25]]]);
+        assert!(out.iter().all(|plane| plane[..21].iter().all(|x| (0.0..1.0).contains(x)) && plane[21..] == [-1.0; 9]));
+    }
+
+    #[test]
+    fn a_cosine_that_is_no_number_gives_none() {
+        let material = Basis::material(Rgb::splat(0.5), Rgb::splat(0.6));
+        for level in levels() {
+            let mut cosines = [0.3; 19];
+            cosines[3] = f32::NAN;
+            cosines[17] = f32::NAN;
+            let [channels] = &results(&material, level, &cosines)[..] else { panic!("one result") };
+            for channel in channels {
+                let nan: Vec<usize> = (0..19).filter(|at| channel[*at].is_nan()).collect();
+                assert_eq!(nan, [3, 17], "{level:?}");
+            }
+        }
+        assert!(material.at(f32::NAN)[0].iter().all(|x| x.is_nan()));
+    }
+}

@@ -1,0 +1,107 @@
+//! The spectral model: exact Fresnel equations at N wavelengths, and an RGB weight for each.
+
+use fearless_simd::{Level, Simd, dispatch};
+
+use super::Real;
+use super::conductor::{Angle, constants};
+use super::form::each_chunk;
+use super::operations::{Counted, Operations};
+use crate::color::Rgb;
+use crate::fresnel::Nk;
+
+/// One material at N wavelengths, in 32 bits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spectral {
+    /// The constants of a conductor, then its weight of each channel.
+    wavelengths: Vec<([f32; 4], [f32; 3])>,
+}
+
+impl Spectral {
+    /// n and k at each wavelength and its RGB weight; negative n or k are held at 0, those beyond 1e9 there.
+    pub fn new(wavelengths: impl IntoIterator<Item = (Nk, Rgb)>) -> Self {
+        let in_32_bits =
+            |(Nk { n, k }, weight): (Nk, Rgb)| (constants(n, k).map(|x| x as f32), weight.0.map(|x| x as f32));
+        Self { wavelengths: wavelengths.into_iter().map(in_32_bits).collect() }
+    }
+
+    /// How many wavelengths.
+    pub fn count(&self) -> usize {
+        self.wavelengths.len()
+    }
+
+    /// Bytes of constants and weights.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.wavelengths.as_slice())
+    }
+
+    /// Operations for one RGB value.
+    pub fn operations(&self) -> Operations {
+        Operations::while_running(|| {
+            self.at(Counted);
+        })
+    }
+
+    /// At one cosine, held in `[0, 1]`.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, c: T) -> [T; 3] {
+        let angle = Angle::of(c.limited(0.0, 1.0));
+        let mut sum = [c.of(0.0); 3];
+        for (constants, weights) in &self.wavelengths {
+            let constants = constants.map(
+                #[inline(always)]
+                |x| c.of(f64::from(x)),
+            );
+            let reflectance = angle.parts(constants).reflectance();
+            for (sum, weight) in sum.iter_mut().zip(weights) {
+                *sum = reflectance.mul_add(c.of(f64::from(*weight)), *sum);
+            }
+        }
+        sum
+    }
+
+    /// At every cosine; the shortest slice ends it.
+    pub fn over(&self, level: Level, cosines: &[f32], out: [&mut [f32]; 3]) {
+        dispatch!(level, simd => self.over_lanes(simd, cosines, out));
+    }
+
+    #[inline(always)]
+    fn over_lanes<S: Simd>(&self, simd: S, cosines: &[f32], out: [&mut [f32]; 3]) {
+        each_chunk(
+            simd,
+            (cosines, []),
+            [out],
+            #[inline(always)]
+            |c, _| [self.at(c)],
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fresnel::{CosTheta, conductor};
+    use crate::kernel::levels;
+
+    #[test]
+    fn is_the_weighted_sum_of_conductors() {
+        let wavelengths: Vec<(Nk, Rgb)> = (0..31_u8)
+            .map(|i| f64::from(i) / 30.0)
+            .map(|x| (Nk { n: 0.1 + 1.4 * x, k: 4.0 - 2.0 * x }, Rgb([x, 1.0 - x, 0.3]) * (1.0 / 15.0)))
+            .collect();
+        let spectral = Spectral::new(wavelengths.iter().copied());
+        let cosines: Vec<f32> = (0..=100_u8).map(|i| f32::from(i) / 100.0).collect();
+        for level in levels() {
+            let mut out = [(); 3].map(|()| vec![f32::NAN; cosines.len()]);
+            spectral.over(level, &cosines, out.each_mut().map(Vec::as_mut_slice));
+            for (at, c) in cosines.iter().enumerate() {
+                let cos = CosTheta::new(f64::from(*c));
+                let exact =
+                    wavelengths.iter().fold(Rgb::BLACK, |sum, (nk, weight)| sum + *weight * conductor(nk.n, nk.k, cos));
+                for got in [std::array::from_fn(|channel| out[channel][at]), spectral.at(*c)] {
+                    let off = Rgb(got.map(f64::from)).max_abs_difference(exact);
+                    assert!(off < 2e-6, "{level:?} {c}: {off}");
+                }
+            }
+        }
+    }
+}
