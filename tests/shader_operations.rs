@@ -15,12 +15,12 @@ fn counted_by_naga() -> Operations {
         h: Rgb([0.99, 0.88, 0.63]),
         ..Preset::new_authored()
     };
-    let exported = export(&gold, Target::Wgsl, &Options::default()).unwrap();
-    let source = String::from_utf8(exported.files[0].bytes.clone()).unwrap();
-    let module = naga::front::wgsl::parse_str(&source).unwrap();
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).unwrap();
+    let exported = export(&gold, Target::Wgsl, &Options::default()).expect("it is valid");
+    let source = String::from_utf8(exported.files[0].bytes.clone()).expect("it is valid");
+    let module = naga::front::wgsl::parse_str(&source).expect("it is valid");
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).expect("it is valid");
     let named = |(_, function): &(_, &naga::Function)| function.name.as_deref() == Some("edgewise_fresnel");
-    let (handle, function) = module.functions.iter().find(named).unwrap();
+    let (handle, function) = module.functions.iter().find(named).expect("it is exported");
     let mut counts = Operations::default();
     for (expression, value) in function.expressions.iter() {
         let width = match info[handle][expression].ty.inner_with(&module.types) {
