@@ -7,6 +7,7 @@ mod material;
 mod shown;
 mod trade;
 mod speed;
+mod stability;
 
 use std::ops::ControlFlow;
 
@@ -45,6 +46,8 @@ enum Subject {
     Trade(trade::TradeCommand),
     /// What each model costs on this machine: time, parameters and operations
     Speed(speed::SpeedCommand),
+    /// How many digits each model and conversion keeps, also where its parameters are no reflectances
+    Stability(stability::StabilityCommand),
 }
 
 #[derive(Debug, Args)]
@@ -84,6 +87,7 @@ impl Study {
             Subject::Feasibility(command) => command.run(),
             Subject::Trade(command) => command.run(),
             Subject::Speed(command) => command.run(),
+            Subject::Stability(command) => command.run(),
         }
     }
 }

@@ -193,8 +193,8 @@ impl Form<2> for GulbrandsenOfPixels {
 /// An index of r and g, with c0 = n² − k² − 1 and u = (1 − r)/(1 + √r), of which n and k are at most 4/u.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Index<T> {
-    n: T,
-    k: T,
+    pub(super) n: T,
+    pub(super) k: T,
     c0: T,
     u: T,
 }

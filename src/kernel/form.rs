@@ -4,6 +4,7 @@ use fearless_simd::{Level, Simd, dispatch};
 
 use super::lanes::Lanes;
 use super::{Operations, Real};
+use crate::color::Rgb;
 
 /// A Fresnel formula of P constants or parameters per channel that gives N numbers per channel.
 ///
@@ -33,6 +34,11 @@ impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
     /// A form with the constants of each channel.
     pub(super) const fn new(form: F, channels: [[f64; P]; 3]) -> Self {
         Self { form, channels }
+    }
+
+    /// A form whose constants are its parameters themselves, as they come.
+    pub fn of_parameters(form: F, parameters: [Rgb; P]) -> Self {
+        Self::new(form, std::array::from_fn(|channel| parameters.map(|rgb| rgb[channel])))
     }
 
     /// Bytes of its constants in 32 bits.
@@ -165,7 +171,6 @@ fn shortest<const P: usize, const M: usize, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb;
     use crate::kernel::test_support::results;
     use crate::kernel::{Basis, ConductorAndAbsorption, levels};
 

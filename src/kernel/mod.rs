@@ -6,6 +6,7 @@
 //! | `form` | a formula with its constants, at one cosine and over slices |
 //! | `schlick`, `hoffman`, `lazanyi` | Schlick; Hoffman and F82-tint; Lazányi and generalized Schlick |
 //! | `conductor` | exact n and k, Gulbrandsen's r and g, the dielectric |
+//! | `convert` | r and h to t, r and g to n and k, and back |
 //! | `spectral`, `polynomial`, `table` | N wavelengths; one metal baked into coefficients or a table |
 //! | `lab`, `delta_e` | L*a*b* and CIEDE2000 |
 //! | `textbook` | what others print, to measure against |
@@ -18,6 +19,7 @@
 //! No finite cosine and no parameters that their constructor takes make a NaN or an infinity; a NaN stays one.
 
 mod conductor;
+mod convert;
 mod delta_e;
 mod form;
 mod hoffman;
@@ -34,6 +36,7 @@ mod table;
 pub mod textbook;
 
 pub use conductor::{Conductor, ConductorAndAbsorption, ConductorOfPixels, Dielectric, GulbrandsenOfPixels};
+pub use convert::{EdgeOfTint, IndexOfTint, TintOfEdge, TintOfIndex};
 pub use delta_e::{delta_e, delta_e_over, operations_of_delta_e};
 pub use form::{Form, Material, Planes, over_pixels};
 pub use hoffman::{Basis, Exported, F82OfPixels, Factored};

@@ -272,3 +272,45 @@ impl Form<2> for DividerBound {
         [first.sqrt() + second.sqrt() + x / second]
     }
 }
+
+/// n and k of r and g by [`index_as_printed`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IndexAsPrinted;
+
+impl Form<2, 2> for IndexAsPrinted {
+    const HOLDS_COSINE: bool = false;
+
+    type Shared<T: Real> = ();
+
+    #[inline(always)]
+    fn shared<T: Real>(self, _: T) {}
+
+    #[inline(always)]
+    fn channel<T: Real>(self, (): (), [r, g]: [T; 2]) -> [T; 2] {
+        let (n, k) = index_as_printed(r, g);
+        [n, k]
+    }
+}
+
+/// r and g of n and k as printed (Gulbrandsen 2014, eqs. 5 and 7).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TintAsPrinted;
+
+impl Form<2, 2> for TintAsPrinted {
+    const HOLDS_COSINE: bool = false;
+
+    type Shared<T: Real> = ();
+
+    #[inline(always)]
+    fn shared<T: Real>(self, _: T) {}
+
+    #[inline(always)]
+    fn channel<T: Real>(self, (): (), [n, k]: [T; 2]) -> [T; 2] {
+        let one = n.of(1.0);
+        let (above, below) = (n + one, n - one);
+        let r = (below * below + k * k) / (above * above + k * k);
+        let s = r.sqrt();
+        let (least, most) = ((one - r) / (one + r), (one + s) / (one - s));
+        [r, (most - n) / (most - least)]
+    }
+}

@@ -7,7 +7,7 @@ use super::super::output::{Format, FormatArguments, Output, Table};
 use super::shown::with_bar;
 use crate::kernel::{Level, level_id, levels};
 use crate::metal::metal_by_name;
-use crate::study::{SpeedOptions, speed, speed_summary};
+use crate::study::{Fineness, SpeedOptions, performance_markdown, speed, speed_summary, stability};
 
 /// Arguments of `edgewise study speed`.
 #[derive(Debug, Args)]
@@ -24,6 +24,9 @@ pub(super) struct SpeedCommand {
     /// The instruction set, of those that this machine has; the best unless given
     #[arg(long, value_parser = instruction_set)]
     instruction_set: Option<Level>,
+    /// Speed, from the cache and from memory, and stability, as the Markdown of docs/performance.md
+    #[arg(long, conflicts_with_all = ["size", "format", "json"])]
+    evidence: bool,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -44,12 +47,36 @@ impl SpeedCommand {
             size: self.size as usize,
             rounds: self.rounds as usize,
         };
-        let rows = with_bar(|progress| speed(&options, progress)).context("the measurement was stopped")?;
+        if self.evidence {
+            return evidence(&options);
+        }
+        let rows = with_bar(|progress| speed(&options, progress)).context(STOPPED)?;
         let format = self.format.format();
         let sentence = if format == Format::Table { format!("\n{}\n", speed_summary(&rows)) } else { String::new() };
-        let warnings = if cfg!(debug_assertions) { vec![NOT_OPTIMISED.to_owned()] } else { vec![] };
-        Ok(Output { text: Table::of_rows(&rows)?.render(format) + &sentence, warnings, ..Output::default() })
+        Ok(Output {
+            text: Table::of_rows(&rows)?.render(format) + &sentence,
+            warnings: warnings(),
+            ..Output::default()
+        })
     }
+}
+
+/// Values that no cache holds.
+const IN_MEMORY: usize = 4_000_000;
+
+fn evidence(options: &SpeedOptions) -> anyhow::Result<Output> {
+    let in_memory = SpeedOptions { size: IN_MEMORY, rounds: options.rounds.min(5), ..*options };
+    let cached = with_bar(|progress| speed(options, progress)).context(STOPPED)?;
+    let from_memory = with_bar(|progress| speed(&in_memory, progress)).context(STOPPED)?;
+    let stability = with_bar(|progress| stability(Fineness::Default, progress)).context(STOPPED)?;
+    let text = performance_markdown(&cached, &from_memory, &stability);
+    Ok(Output { text, warnings: warnings(), ..Output::default() })
+}
+
+const STOPPED: &str = "the measurement was stopped";
+
+fn warnings() -> Vec<String> {
+    if cfg!(debug_assertions) { vec![NOT_OPTIMISED.to_owned()] } else { vec![] }
 }
 
 /// What a person should know before quoting the numbers.
