@@ -1,10 +1,11 @@
 //! The exact Fresnel reflectance of a conductor, with one division and no cancellation.
 //!
 //! Per channel, once: c0 = (n − 1)(n + 1) − k², c1 = (2 n k)², c3 = 1/max(1, n, k), c2 = n k c3. With
-//! z = |ε − sin²θ|, from which the root a + i b of ε − sin²θ has the larger part q:
+//! ε − sin²θ = c0 + c² + 2 i n k of modulus z, whose root a + i b has the larger part q:
 //! F = (t1 − T) t3 / ((t1 + T)(t3 + T s²)), and 1 − F = T (2 t3 + s² (t1 + T)) over the same, a sum of what is
 //! positive. It rests on 1 + (t3 − t4)/(t3 + t4) = 2 t3/(t3 + t4), which saves a division, and on a = n k/q where
-//! ε − sin²θ turns left, with everything scaled by q/max(1, n, k), so that this division vanishes too.
+//! the real part is negative, with everything scaled by q/max(1, n, k), so that this division vanishes too. For
+//! n² − k² < 1/2 the real part is taken as (n² − k²) − sin²θ: next to n = k = 0 the other sum cancels.
 
 use super::{Form, Material, Real};
 use crate::color::Rgb;
@@ -23,43 +24,45 @@ pub struct ConductorAndAbsorption;
 
 impl Conductor {
     /// n and k of each channel; negative ones are held at 0, those beyond 1e9 there.
-    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 4> {
+    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 5> {
         Material::new(Self, std::array::from_fn(|i| constants(n[i], k[i])))
     }
 
     /// The conductor that r and g stand for: r is held in 0 to 1 and g in 0 to 1, and r = 1 is a mirror.
-    pub fn gulbrandsen(r: Rgb, g: Rgb) -> Material<Self, 4> {
+    pub fn gulbrandsen(r: Rgb, g: Rgb) -> Material<Self, 5> {
         Material::new(Self, std::array::from_fn(|i| constants_of_r_g(r[i], g[i])))
     }
 }
 
 impl ConductorAndAbsorption {
     /// n and k of each channel; negative ones are held at 0, those beyond 1e9 there.
-    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 4, 2> {
+    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 5, 2> {
         Material::new(Self, std::array::from_fn(|i| constants(n[i], k[i])))
     }
 }
 
-/// c0 to c3 of an index; no index at all, n = k = 0, is a mirror as in [`crate::fresnel::conductor`].
-pub(super) fn constants(n: f64, k: f64) -> [f64; 4] {
+/// c0 or n² − k², c1, c2 and c3 of an index, and −1 where the first is n² − k²; no index at all, n = k = 0, is a mirror as in [`crate::fresnel::conductor`].
+pub(super) fn constants(n: f64, k: f64) -> [f64; 5] {
     let (n, k) = (n.clamp(0.0, LARGEST), k.clamp(0.0, LARGEST));
     if n == 0.0 && k == 0.0 {
         return MIRROR;
     }
     let c3 = 1.0 / n.max(k).max(1.0);
-    [(n - 1.0) * (n + 1.0) - k * k, (2.0 * n * k).powi(2).max(NO_ZERO), n * k * c3, c3]
+    let real = (n - k) * (n + k);
+    let (base, of_sine) = if real < 0.5 { (real, -1.0) } else { ((n - 1.0) * (n + 1.0) - k * k, 1.0) };
+    [base, (2.0 * n * k).powi(2).max(NO_ZERO), n * k * c3, c3, of_sine]
 }
 
 /// The least c1. It keeps z from 0, so that air in air at 90° and the critical angle are no 0/0, and is too small to
-/// be seen in any sum.
+/// be seen in any sum of 32 bits.
 const NO_ZERO: f64 = 1e-36;
 
 /// n = 0 and k = 1: F is 1 at every angle.
-const MIRROR: [f64; 4] = [-2.0, NO_ZERO, 0.0, 1.0];
+const MIRROR: [f64; 5] = [-1.0, NO_ZERO, 0.0, 1.0, -1.0];
 
-fn constants_of_r_g(r: f64, g: f64) -> [f64; 4] {
+fn constants_of_r_g(r: f64, g: f64) -> [f64; 5] {
     if r.is_nan() || g.is_nan() {
-        return [f64::NAN; 4];
+        return [f64::NAN; 5];
     }
     nk_from_r_g(r.max(0.0), g.clamp(0.0, 1.0)).map_or(MIRROR, |Nk { n, k }| constants(n, k))
 }
@@ -81,9 +84,9 @@ impl<T: Real> Angle<T> {
 
     /// The parts that F and 1 − F are made of.
     #[inline(always)]
-    pub(super) fn parts(self, [c0, c1, c2, c3]: [T; 4]) -> Parts<T> {
+    pub(super) fn parts(self, [base, c1, c2, c3, of_sine]: [T; 5]) -> Parts<T> {
         let (zero, one, half) = (self.c.of(0.0), self.c.of(1.0), self.c.of(0.5));
-        let re = self.c.mul_add(self.c, c0);
+        let re = base + of_sine.if_below(zero, -self.s2, self.c2);
         let z = re.mul_add(re, c1).sqrt();
         let q = ((z + re.abs()) * half).sqrt();
         let scale = re.if_below(zero, q * c3, one);
@@ -117,7 +120,7 @@ impl<T: Real> Parts<T> {
     }
 }
 
-impl Form<4> for Conductor {
+impl Form<5> for Conductor {
     type Shared<T: Real> = Angle<T>;
 
     #[inline(always)]
@@ -126,12 +129,12 @@ impl Form<4> for Conductor {
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 4]) -> [T; 1] {
+    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 5]) -> [T; 1] {
         [angle.parts(constants).reflectance()]
     }
 }
 
-impl Form<4, 2> for ConductorAndAbsorption {
+impl Form<5, 2> for ConductorAndAbsorption {
     type Shared<T: Real> = Angle<T>;
 
     #[inline(always)]
@@ -140,7 +143,7 @@ impl Form<4, 2> for ConductorAndAbsorption {
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 4]) -> [T; 2] {
+    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 5]) -> [T; 2] {
         angle.parts(constants).reflectance_and_absorption()
     }
 }
@@ -220,7 +223,7 @@ impl<T: Real> Angle<T> {
     #[inline(always)]
     fn of_pixel(self, c0: T, nk: T, c3: T) -> T {
         let twice = nk + nk;
-        self.parts([c0, twice.mul_add(twice, nk.of(NO_ZERO)), nk * c3, c3]).reflectance()
+        self.parts([c0, twice.mul_add(twice, nk.of(NO_ZERO)), nk * c3, c3, nk.of(1.0)]).reflectance()
     }
 }
 

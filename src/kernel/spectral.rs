@@ -13,7 +13,7 @@ use crate::fresnel::Nk;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectral {
     /// The constants of a conductor, then its weight of each channel.
-    wavelengths: Vec<([f32; 4], [f32; 3])>,
+    wavelengths: Vec<([f32; 5], [f32; 3])>,
 }
 
 impl Spectral {

@@ -173,7 +173,7 @@ mod tests {
         assert!(of("hoffman").operations < of("polynomial").operations);
         assert!(of("conductor").operations < of("spectral-20").operations);
         assert_eq!(of("spectral-81").square_roots, 2 * 81);
-        assert_eq!(of("spectral-81").parameter_bytes, 81 * 7 * 4);
+        assert_eq!(of("spectral-81").parameter_bytes, 81 * 8 * 4);
         assert_eq!((of("conductor").divisions, of("conductor-popular").divisions), (3, 6));
     }
 

@@ -26,7 +26,7 @@ pub struct StabilityRow {
     pub max_absolute: Option<f64>,
     /// Where that is.
     pub max_absolute_at: String,
-    /// The same in units of the last place of the arithmetic's own result.
+    /// The same in units of the last place of the larger of the two.
     pub max_ulp: Option<f64>,
     /// Where that is.
     pub max_ulp_at: String,
@@ -78,11 +78,11 @@ fn rows_of(case: &Case, fineness: Fineness) -> Vec<StabilityRow> {
         let exact = (case.exact)(&point);
         let (Evaluations { vectors, scalar, double }, half) =
             ((case.evaluate)(&point), (case.evaluate)(&case.halved(&point)));
-        let results = [
-            (f64::from(vectors), unit_of_single(vectors)),
-            (f64::from(scalar), unit_of_single(scalar)),
-            (double, unit_of_double(double)),
-            (f64::from(half.vectors), unit_of_single(half.vectors)),
+        let results: [(f64, fn(f64) -> f64); 4] = [
+            (f64::from(vectors), unit_of_single),
+            (f64::from(scalar), unit_of_single),
+            (double, unit_of_double),
+            (f64::from(half.vectors), unit_of_single),
         ];
         for (tally, (result, unit)) in tallies.iter_mut().zip(results) {
             tally[domain].add(exact.as_ref(), result, unit, &|| case.told(&point));
@@ -98,12 +98,13 @@ fn rows_of(case: &Case, fineness: Fineness) -> Vec<StabilityRow> {
     tallies.into_iter().enumerate().flat_map(row).collect()
 }
 
-/// Distance to the next number of the same arithmetic.
-fn unit_of_single(value: f32) -> f64 {
-    let size = value.abs().clamp(f32::MIN_POSITIVE, f32::MAX / 2.0);
+/// Distance from a number to the next of 32 bits.
+fn unit_of_single(value: f64) -> f64 {
+    let size = (value as f32).abs().clamp(f32::MIN_POSITIVE, f32::MAX / 2.0);
     f64::from(size.next_up()) - f64::from(size)
 }
 
+/// The same of 64 bits.
 fn unit_of_double(value: f64) -> f64 {
     let size = value.abs().clamp(f64::MIN_POSITIVE, f64::MAX / 2.0);
     size.next_up() - size
@@ -122,7 +123,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn add(&mut self, exact: Option<&Exact>, result: f64, unit: f64, told: &dyn Fn() -> String) {
+    fn add(&mut self, exact: Option<&Exact>, result: f64, unit: fn(f64) -> f64, told: &dyn Fn() -> String) {
         self.points += 1;
         self.nan += usize::from(result.is_nan());
         self.infinite += usize::from(result.is_infinite());
@@ -132,7 +133,7 @@ impl Tally {
         self.negative += usize::from(result < 0.0 && exact >= 0.0);
         self.above_one += usize::from(result > 1.0 && exact <= 1.0);
         keep_larger(&mut self.absolute, off, told);
-        keep_larger(&mut self.ulp, off / unit, told);
+        keep_larger(&mut self.ulp, off / unit(result.abs().max(exact.abs())), told);
     }
 
     fn row(self, case: &Case, arithmetic: &'static str, domain: &'static str) -> StabilityRow {
