@@ -5,9 +5,9 @@ mod conversion;
 mod demonstrations;
 mod material;
 mod shown;
-mod trade;
 mod speed;
 mod stability;
+mod trade;
 
 use std::ops::ControlFlow;
 
