@@ -1,4 +1,4 @@
-//! The kernels over 1024 values in the cache, ours and textbook; `edgewise study speed` measures the same interleaved.
+//! The kernels over 1024 values in the cache, ours and textbook; divan takes them one after the other.
 
 use divan::Bencher;
 use edgewise::color::Rgb;

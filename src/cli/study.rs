@@ -5,7 +5,6 @@ mod conversion;
 mod demonstrations;
 mod material;
 mod shown;
-mod speed;
 mod stability;
 mod trade;
 
@@ -44,8 +43,6 @@ enum Subject {
     Feasibility(demonstrations::FeasibilityCommand),
     /// How much accuracy there is for how much cost
     Trade(trade::TradeCommand),
-    /// What each model costs on this machine: time, parameters and operations
-    Speed(speed::SpeedCommand),
     /// How many digits each model and conversion keeps, also where its parameters are no reflectances
     Stability(stability::StabilityCommand),
 }
@@ -86,7 +83,6 @@ impl Study {
             Subject::Uniformity(command) => command.run(),
             Subject::Feasibility(command) => command.run(),
             Subject::Trade(command) => command.run(),
-            Subject::Speed(command) => command.run(),
             Subject::Stability(command) => command.run(),
         }
     }

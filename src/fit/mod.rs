@@ -11,7 +11,6 @@ mod least_squares;
 mod loss;
 mod metal_fit;
 mod method;
-mod polynomial;
 mod search;
 mod series;
 
@@ -23,6 +22,5 @@ pub use least_squares::{r_h_by_least_squares, schlick_r_by_least_squares};
 pub use loss::Loss;
 pub use metal_fit::{Fit, FitError, fit, fit_to_truth};
 pub use method::{Method, Triple};
-pub use polynomial::polynomial_by_least_squares;
 pub use search::Stopped;
 pub use series::series_by_least_squares;

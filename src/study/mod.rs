@@ -12,8 +12,7 @@
 //! | do equal steps of a slider look equal? | `uniformity` |
 //! | which r and h are reflectances? | `feasibility` |
 //! | how much accuracy is there for how much cost? | `trade`, of the variants in `variant`, `form` and `cost` |
-//! | how many digits does it keep? | `stability`, its cases `stability_cases`, 512 bits `exact` |
-//! | what does a model cost on this machine? | `speed`, with the contestants `speed_kernels` |
+//! | how many digits does a model or a conversion keep? | `stability`, its cases `stability_cases`, 512 bits `exact` |
 //!
 //! A [`Subject`] is what a demonstration is about; [`Contestants`] are its four descriptions in one space.
 
@@ -34,10 +33,7 @@ mod form;
 mod measure;
 mod painted;
 mod parameters;
-mod performance_markdown;
 mod quantisation;
-mod speed;
-mod speed_kernels;
 mod spread;
 mod stability;
 mod stability_cases;
@@ -73,11 +69,9 @@ pub use form::{Form, FormOfVariant, forms, true_reflectance};
 pub use measure::Measure;
 pub use painted::{Painted, colour_at, painted_sphere};
 pub use parameters::{Pair, Parameters};
-pub use performance_markdown::performance_markdown;
 pub use quantisation::{
     Encoding, GRADIENT_COLUMNS, NK_SCALE, Quantisation, QuantisationRow, Quantised, Storage, quantisation,
 };
-pub use speed::{SpeedOptions, SpeedRow, speed, speed_summary};
 pub use spread::{SpreadRow, spread};
 pub use stability::{Fineness, StabilityRow, stability, stability_summary};
 pub use subject::{Contestants, StudyError, Subject};
