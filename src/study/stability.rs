@@ -78,7 +78,7 @@ fn rows_of(case: &Case, fineness: Fineness) -> Vec<StabilityRow> {
         let exact = (case.exact)(&point);
         let (Evaluations { vectors, scalar, double }, half) =
             ((case.evaluate)(&point), (case.evaluate)(&case.halved(&point)));
-        let results: [(f64, fn(f64) -> f64); 4] = [
+        let results: [(f64, Unit); 4] = [
             (f64::from(vectors), unit_of_single),
             (f64::from(scalar), unit_of_single),
             (double, unit_of_double),
@@ -98,13 +98,16 @@ fn rows_of(case: &Case, fineness: Fineness) -> Vec<StabilityRow> {
     tallies.into_iter().enumerate().flat_map(row).collect()
 }
 
-/// Distance from a number to the next of 32 bits.
+/// Distance from a number to the next.
+type Unit = fn(f64) -> f64;
+
+/// Of 32 bits.
 fn unit_of_single(value: f64) -> f64 {
     let size = (value as f32).abs().clamp(f32::MIN_POSITIVE, f32::MAX / 2.0);
     f64::from(size.next_up()) - f64::from(size)
 }
 
-/// The same of 64 bits.
+/// Of 64 bits.
 fn unit_of_double(value: f64) -> f64 {
     let size = value.abs().clamp(f64::MIN_POSITIVE, f64::MAX / 2.0);
     size.next_up() - size
@@ -123,7 +126,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn add(&mut self, exact: Option<&Exact>, result: f64, unit: fn(f64) -> f64, told: &dyn Fn() -> String) {
+    fn add(&mut self, exact: Option<&Exact>, result: f64, unit: Unit, told: &dyn Fn() -> String) {
         self.points += 1;
         self.nan += usize::from(result.is_nan());
         self.infinite += usize::from(result.is_infinite());

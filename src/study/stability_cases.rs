@@ -23,8 +23,11 @@ pub(super) struct Case {
     pub(super) is_inside: fn(&[f64]) -> bool,
     /// `None` where there is none, as for r ≥ 1 of Gulbrandsen's.
     pub(super) exact: fn(&[f64]) -> Option<Exact>,
-    pub(super) evaluate: Box<dyn Fn(&[f64]) -> Evaluations + Send + Sync>,
+    pub(super) evaluate: Evaluate,
 }
+
+/// The quantity at a point of the grid.
+type Evaluate = Box<dyn Fn(&[f64]) -> Evaluations + Send + Sync>;
 
 /// One value in three arithmetics.
 pub(super) struct Evaluations {
