@@ -52,6 +52,7 @@ class DataSet:
     category: str
     dataset: str
     preferred: bool
+    not_measured: str  # what it is where it is no measurement, otherwise empty
     path: str  # below database/data, without .yml
 
 
@@ -69,6 +70,7 @@ def data_sets() -> Iterator[DataSet]:
                 category=metal["category"],
                 dataset=name,
                 preferred=index == 0,
+                not_measured=metal.get("not_measured", {}).get(name, ""),
                 path=f"{metal['folder']}/{file}",
             )
 
@@ -158,6 +160,7 @@ def csv(entry: DataSet, page: str) -> str:
         "category": entry.category,
         "dataset": entry.dataset,
         "preferred": str(entry.preferred).lower(),
+        "not_measured": entry.not_measured,
         **citation(content["REFERENCES"]),
         "url": page,
         "licence": "CC0 1.0",

@@ -56,6 +56,7 @@ impl Metals {
             ("h_blue", "blue".to_owned()),
             ("source", "source".to_owned()),
             ("range_nm", "range (nm)".to_owned()),
+            ("measured", "measured".to_owned()),
         ]);
         for metal in metals {
             let colours = [metal.r(self.space), metal.h(self.space)];
@@ -64,6 +65,7 @@ impl Metals {
             row.push(Cell::Flag(metal.is_preferred));
             row.extend(colours.iter().flat_map(|rgb| rgb.0).map(|value| Cell::Number(value, 4)));
             row.extend([Cell::Text(metal.provenance.citation()), Cell::Text(metal.provenance.range_nm.clone())]);
+            row.push(Cell::Flag(metal.is_measured()));
             table.push(row);
         }
         table
@@ -76,6 +78,7 @@ impl Metals {
             "dataset": metal.dataset, "preferred": metal.is_preferred,
             "space": self.space, "r": metal.r(self.space), "h": metal.h(self.space),
             "held_below_nm": held.below_nm, "held_above_nm": held.above_nm,
+            "measured": metal.is_measured(), "remarks": metal.remarks(),
             "provenance": metal.provenance,
         })
     }

@@ -164,7 +164,9 @@ impl Material {
         let warnings = match self {
             Self::Measured(metal) => {
                 let (r, h) = (metal.r(space), metal.h(space));
-                vec![metal.held_ends().sentence(), outside("r", r, space), outside("h", h, space)]
+                let mut remarks = metal.remarks();
+                remarks.extend([outside("r", r, space), outside("h", h, space)]);
+                remarks
             }
             Self::Model(model) => {
                 let (r, h) = (model.reflectance(CosTheta::FACING), model.reflectance(CosTheta::MAX));

@@ -119,7 +119,7 @@ mod tests {
     fn an_index_becomes_its_curve_with_a_note() {
         let text = "n_red,n_green,n_blue,k_red,k_green,k_blue\n0.183,0.421,1.373,3.424,2.346,1.77\n";
         let imported = read(text, None).unwrap();
-        // MaterialX's gold, with r and h as the facts of this project state them.
+        // The gold of MaterialX's conductor example; r and h are the exact Fresnel equations at 0° and 81.787°.
         let preset = &imported.presets[0];
         assert!(preset.r.max_abs_difference(Rgb([0.9442, 0.7762, 0.3733])) < 1e-4);
         assert!(preset.h.max_abs_difference(Rgb([0.9537, 0.8796, 0.6596])) < 1e-4);

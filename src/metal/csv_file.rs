@@ -10,9 +10,9 @@ use super::{Metal, NkTable, NkTableError, Provenance};
 #[derive(Debug, Error)]
 #[expect(missing_docs, reason = "each variant is said in its message")]
 pub enum NkCsvError {
-    #[error("the first row must be “wavelength_nm,n,k” or “wavelength_um,n,k”, not “{0}”")]
+    #[error("the first row must be “wavelength_nm,n,k” or “wavelength_um,n,k”, not “{0}”{hint}", hint = hint(.0))]
     Header(String),
-    #[error("row {row}: “{text}” is no number{}", if text.contains(';') { "; columns are separated by commas" } else { "" })]
+    #[error("row {row}: “{text}” is no number{hint}", hint = hint(text))]
     Number { row: usize, text: String },
     #[error("row {row} has {found} columns instead of 3; write decimals with a point, not a comma")]
     Columns { row: usize, found: usize },
@@ -20,6 +20,17 @@ pub enum NkCsvError {
     Csv(#[from] csv::Error),
     #[error(transparent)]
     Table(#[from] NkTableError),
+}
+
+/// What may be wrong with a text where a name or a number was expected.
+fn hint(text: &str) -> &'static str {
+    match text {
+        _ if text.contains(';') => "; columns are separated by commas",
+        _ if text.contains(',') && text.parse::<f64>().is_err() && text.starts_with(|c: char| c.is_ascii_digit()) => {
+            "; write decimals with a point, not a comma"
+        }
+        _ => "",
+    }
 }
 
 /// Reads a metal from CSV text. `stem` names it where the header does not.
@@ -38,6 +49,7 @@ pub fn metal_from_csv(stem: &str, text: &str) -> Result<Metal, NkCsvError> {
     metal.category = non_empty(take("category"), "own data");
     metal.dataset = take("dataset");
     metal.is_preferred = take("preferred") != "false";
+    metal.not_measured = take("not_measured");
     metal.provenance = Provenance {
         authors: take("authors"),
         year: take("year"),
@@ -113,8 +125,35 @@ mod tests {
         assert!(reason("").contains("first row"));
         assert!(reason(&format!("nm,n,k\n{ROWS}")).contains("wavelength_nm"));
         assert!(reason("wavelength_nm,n,k\n400,1,2,5,3\n").contains("decimals with a point"));
+        assert!(reason("wavelength_nm;n;k\n400;1;2\n").contains("separated by commas"));
+        assert!(reason("wavelength_nm,n,k\n400,\"0,2\",2\n").contains("decimals with a point"));
+        assert!(reason("wavelength_nm,n,k\n400,0,2,2,5\n").contains("decimals with a point"));
         assert!(reason("wavelength_nm,n,k\n400,x,2\n").contains("“x” is no number"));
         assert!(reason("wavelength_nm,n,k\n400,NaN,2\n").contains("n is NaN"));
         assert!(reason(&format!("wavelength_um,n,k\n{ROWS}")).contains("unit"));
+        let angstroms = "4000,1,2\n5000,1,2\n6000,1,2\n7000,1,2\n";
+        assert!(reason(&format!("wavelength_nm,n,k\n{angstroms}")).contains("unit"));
+        assert!(reason("wavelength_ev,n,k\n1.8,1,2\n3,1,2\n").contains("wavelength_nm"));
+    }
+
+    #[test]
+    fn refuses_rows_that_are_no_measurement_of_the_visible() {
+        let reason = |rows: &str| metal_from_csv("x", &format!("wavelength_nm,n,k\n{rows}")).unwrap_err().to_string();
+        assert!(reason("400,1,2\n400,1,2\n").contains("row 2: the wavelength 400 nm does not follow 400 nm"));
+        assert!(reason("500,1,2\n450,1,2\n").contains("must grow"));
+        assert!(reason("400,-1,2\n").contains("row 1: n is -1; it must be a finite number of at least 0"));
+        assert!(reason("400,1,-2\n").contains("k is -2"));
+        assert!(reason("-400,1,2\n").contains("the wavelength is -400"));
+        assert!(reason("400,1,inf\n").contains("k is inf"));
+        assert!(reason("400,1,2\n520,1,2\n600,1,2\n700,1,2\n").contains("no row between 400 and 520 nm"));
+        assert!(reason("500,1,2\n600,1,2\n700,1,2\n").contains("middle of the visible"));
+    }
+
+    #[test]
+    fn ends_that_are_held_are_told() {
+        let metal = metal_from_csv("mine", &format!("wavelength_nm,n,k\n{ROWS}")).unwrap();
+        assert_eq!(metal.remarks(), ["The data cover 400–700 nm; n and k are held outside."]);
+        let calculated = metal_from_csv("mine", &format!("# not_measured: a guess\nwavelength_nm,n,k\n{ROWS}"));
+        assert_eq!(calculated.unwrap().remarks()[0], "This is no measurement but a guess.");
     }
 }

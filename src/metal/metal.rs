@@ -20,6 +20,8 @@ pub struct Metal {
     pub dataset: String,
     /// True for the data set that stands for this material where only one is shown.
     pub is_preferred: bool,
+    /// What the data are where they are no measurement, e.g. `a density functional calculation`; otherwise empty.
+    pub not_measured: String,
     /// Where the data come from.
     pub provenance: Provenance,
     table: NkTable,
@@ -35,6 +37,7 @@ impl Metal {
             category: "own data".to_owned(),
             dataset: String::new(),
             is_preferred: true,
+            not_measured: String::new(),
             provenance: Provenance::default(),
             id,
             name,
@@ -51,6 +54,19 @@ impl Metal {
     /// n and k at each wavelength of the grid.
     pub fn nk(&self) -> &[Nk; SAMPLES] {
         &self.nk
+    }
+
+    /// True for a measurement; otherwise [`not_measured`](Self::not_measured) says what it is.
+    pub fn is_measured(&self) -> bool {
+        self.not_measured.is_empty()
+    }
+
+    /// What a person should know about the data, a sentence each: what was held, what is odd, what was not measured.
+    pub fn remarks(&self) -> Vec<String> {
+        let held = Some(self.held_ends().sentence()).filter(|sentence| !sentence.is_empty());
+        let doubts = self.table.doubts().into_iter().map(|doubt| doubt.to_string());
+        let calculated = (!self.is_measured()).then(|| format!("This is no measurement but {}.", self.not_measured));
+        calculated.into_iter().chain(held).chain(doubts).collect()
     }
 
     /// Where the data end inside the visible.

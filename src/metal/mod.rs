@@ -2,6 +2,7 @@
 
 mod csv_file;
 mod dispersion;
+mod doubt;
 mod few_wavelengths;
 mod library;
 #[expect(clippy::module_inception, reason = "the type the folder is about")]
@@ -14,6 +15,7 @@ mod truth;
 mod yaml_file;
 
 pub use csv_file::{NkCsvError, metal_from_csv};
+pub use doubt::Doubt;
 pub use few_wavelengths::SpectralModel;
 pub use library::{UnknownMetal, metal_by_name, metals, preferred_metals};
 pub use metal::Metal;

@@ -116,6 +116,11 @@ impl NkTable {
         }
     }
 
+    /// The measured rows: wavelength in nm, n and k.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = (f64, Nk)> + '_ {
+        self.wavelength_nm.iter().copied().zip(self.nk.iter().copied())
+    }
+
     /// First and last wavelength in nm.
     fn range_nm(&self) -> Option<(f64, f64)> {
         Some((*self.wavelength_nm.first()?, *self.wavelength_nm.last()?))

@@ -17,6 +17,8 @@ pub struct SpreadRow {
     pub space: RgbSpace,
     /// Number of data sets.
     pub datasets: usize,
+    /// How many of them are measurements; others are calculated or fitted to earlier ones.
+    pub measured: usize,
     /// Median CIEDE2000 of r between the preferred data set and each other one.
     pub median_r_delta_e: f64,
     /// Median CIEDE2000 of h likewise.
@@ -56,6 +58,7 @@ fn row(metals: &[Metal], name: &str, space: RgbSpace) -> Option<SpreadRow> {
         name: name.to_owned(),
         space,
         datasets: sets.len(),
+        measured: sets.iter().filter(|metal| metal.is_measured()).count(),
         median_r_delta_e: median(others().map(|other| r(preferred, other)).collect()),
         median_h_delta_e: median(others().map(|other| h(preferred, other)).collect()),
         max_r_delta_e: largest(&r),
@@ -70,13 +73,14 @@ mod tests {
     use super::*;
     use crate::metal::metals;
 
-    /// The issue asks for three data sets at least of these.
+    /// Only for iron one of the three had to be a calculation.
     #[test]
     fn the_common_metals_have_three_sets() {
         let rows = spread(metals(), RgbSpace::LinRec709);
         for name in ["Gold", "Silver", "Copper", "Aluminium", "Titanium", "Iron"] {
             let row = rows.iter().find(|row| row.name == name).expect("a row");
             assert!(row.datasets >= 3, "{name}: {}", row.datasets);
+            assert!(row.measured >= if name == "Iron" { 2 } else { 3 }, "{name}: {}", row.measured);
             assert!(row.median_r_delta_e <= row.max_r_delta_e && row.median_h_delta_e <= row.max_h_delta_e);
         }
         assert!(rows.iter().all(|row| row.datasets >= 2));

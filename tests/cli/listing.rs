@@ -17,8 +17,12 @@ fn metals_are_listed_in_every_format() {
     assert_eq!(gold[0]["r"], json!(metal_by_name("Gold").unwrap().r(RgbSpace::AcesCg)));
     assert_eq!(gold[0]["provenance"]["year"], json!("2012"));
 
+    let iron = json(&["metals", "Fe_Werner-DFT", "--json"]);
+    assert_eq!((&gold[0]["measured"], &iron[0]["measured"]), (&json!(true), &json!(false)));
+    assert!(iron[0]["remarks"][0].as_str().unwrap().contains("density functional"), "{iron}");
+
     let csv = quiet(&["metals", "--format", "csv"]);
-    let header = "id,name,symbol,category,preferred,r_red,r_green,r_blue,h_red,h_green,h_blue,source,range_nm";
+    let header = "id,name,symbol,category,preferred,r_red,r_green,r_blue,h_red,h_green,h_blue,source,range_nm,measured";
     assert_eq!(csv.lines().next(), Some(header));
     assert_eq!(csv.lines().count(), metals().len() + 1);
     assert_eq!(quiet(&["metals"]).lines().count(), metals().len() + 1);

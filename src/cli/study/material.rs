@@ -36,7 +36,7 @@ impl Material {
             "csv" | "yml" | "yaml" => Metal::open(Path::new(word))?,
             _ => metal_by_name(word)?.clone(),
         };
-        warnings.extend(Some(metal.held_ends().sentence()).filter(|sentence| !sentence.is_empty()));
+        warnings.extend(metal.remarks());
         Ok(Self::Metal(Box::new(metal)))
     }
 
