@@ -200,6 +200,7 @@ pub(super) fn r_g_of(channels: [Nk; 3], losses: &mut Vec<Loss>) -> (Rgb, Rgb) {
 /// How far g leaves its range by rounding alone.
 const ROUNDING_OF_G: f64 = 1e-9;
 
+/// Searches from the parameters that every other method gives, those by least squares first.
 fn by_black_box(
     metal: &Metal,
     truth: &TruthCurve,
@@ -207,19 +208,26 @@ fn by_black_box(
     losses: &mut Vec<Loss>,
     keep_going: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<FresnelModel, Stopped> {
-    let search = black_box::smallest_mean_delta_e;
-    match kind {
-        ModelKind::Conductor => {
-            let weighted = nk_by_colour_matching(metal, truth.space);
-            let positive = |v: f64| v.max(SMALLEST_START);
-            let weighted = conductor_of(weighted.map(|nk| Nk { n: positive(nk.n), k: positive(nk.k) }));
-            search(&[by_least_squares(truth, kind, losses), weighted], truth, keep_going)
-        }
-        ModelKind::F82Tint => match by_black_box(metal, truth, ModelKind::Hoffman, losses, keep_going)? {
-            FresnelModel::Hoffman { r, h } => Ok(exact(kind, r, h)),
-            other => Ok(other),
-        },
-        _ => search(&[by_least_squares(truth, kind, losses)], truth, keep_going),
+    if kind == ModelKind::F82Tint {
+        // The same curves: t follows from the best r and h.
+        return Ok(match by_black_box(metal, truth, ModelKind::Hoffman, losses, keep_going)? {
+            FresnelModel::Hoffman { r, h } => exact(kind, r, h),
+            other => other,
+        });
+    }
+    let mut starts = vec![by_least_squares(truth, kind, losses)];
+    let others = Method::of(kind).filter(|method| !matches!(method, Method::LeastSquares | Method::BlackBox));
+    starts.extend(others.map(|method| closed_form(metal, truth, kind, method, &mut Vec::new())));
+    let starts: Vec<FresnelModel> = starts.into_iter().map(inside).collect();
+    black_box::smallest_mean_delta_e(&starts, truth, keep_going)
+}
+
+/// A start whose logarithms are finite.
+fn inside(start: FresnelModel) -> FresnelModel {
+    let positive = |v: f64| v.max(SMALLEST_START);
+    match start {
+        FresnelModel::Conductor { n, k } => FresnelModel::Conductor { n: n.map(positive), k: k.map(positive) },
+        other => other,
     }
 }
 

@@ -11,6 +11,7 @@ mod least_squares;
 mod loss;
 mod metal_fit;
 mod method;
+mod nearest;
 mod search;
 mod series;
 
@@ -22,5 +23,6 @@ pub use least_squares::{r_h_by_least_squares, schlick_r_by_least_squares};
 pub use loss::Loss;
 pub use metal_fit::{Fit, FitError, fit, fit_to_truth};
 pub use method::{Method, Triple};
+pub use nearest::nearest_conductor;
 pub use search::Stopped;
 pub use series::series_by_least_squares;

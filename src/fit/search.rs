@@ -1,11 +1,11 @@
-//! The two numerical searches behind the fits: one variable in an interval, and several without bounds.
+//! The numerical searches behind the fits: one variable in an interval, and several without bounds.
 
 use std::cell::RefCell;
 use std::convert::Infallible;
 use std::ops::{ControlFlow, RangeInclusive};
 
 use basin::{
-    BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, NelderMead,
+    BoxBounds, Brent, ConstraintDescription, ConstraintSet, Constraints, CostFunction, Executor, NelderMead, Newuoa,
     PointState, SimplexProgress,
 };
 use thiserror::Error;
@@ -106,6 +106,33 @@ pub(super) fn minimum_near(
     Ok(best)
 }
 
+/// The point with the smallest `f` that NEWUOA finds (Powell 2006: a quadratic model in a region of trust), whose radius
+/// shrinks from the first to the last; at most so many evaluations.
+///
+/// Fast where `f` is smooth, and near the minimum of a mean of distances it is not. Deterministic; as for
+/// [`minimum_near`], NaN is infinitely bad and `keep_going` is asked once per evaluation.
+pub(super) fn minimum_of_smooth(
+    start: &[f64],
+    (first_radius, last_radius): (f64, f64),
+    evaluations: u64,
+    f: impl Fn(&[f64]) -> f64,
+    keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<(Vec<f64>, f64), Stopped> {
+    let keep_going = RefCell::new(keep_going);
+    let at_start = (start.to_vec(), f(start));
+    // Infinity would spoil the quadratic model for good.
+    let finite = |x: &[f64]| f(x).min(UNACCEPTABLE);
+    let problem = SeveralVariables { f: &finite, keep_going: &keep_going };
+    let solver = Newuoa::new().with_initial_radius(first_radius).with_final_radius(last_radius);
+    let executor = Executor::new(problem, solver, PointState::new(start.to_vec())).max_cost_evals(evaluations);
+    let run = executor.run()?;
+    let found = (run.best_param().clone(), run.best_cost());
+    Ok(if found.1 < at_start.1 { found } else { at_start })
+}
+
+/// Worse than any value that matters.
+const UNACCEPTABLE: f64 = 1e4;
+
 /// `corner` and one more point along each axis.
 fn simplex(corner: &[f64], step: f64) -> Vec<Vec<f64>> {
     let along = |axis: usize| {
@@ -157,6 +184,23 @@ mod tests {
         let f = |x: &[f64]| (1.0 - x[0]).powi(2) + 100.0 * (x[1] - x[0] * x[0]).powi(2);
         let (at, value) = minimum_near(&[-1.2, 1.0], EFFORT, f, &mut || ControlFlow::Continue(())).unwrap();
         assert!(value < 1e-12 && (at[0] - 1.0).abs() < 1e-5, "{at:?}");
+    }
+
+    #[test]
+    fn a_quadratic_model_finds_the_bottom_of_a_bowl() {
+        let f = |x: &[f64]| (x[0] - 1.0).powi(2) + 3.0 * (x[1] + 0.5 * x[0]).powi(2);
+        let mut asked = 0;
+        let mut count = || {
+            asked += 1;
+            ControlFlow::Continue(())
+        };
+        let (at, value) = minimum_of_smooth(&[3.0, 3.0], (0.5, 1e-6), 200, f, &mut count).unwrap();
+        assert!(value < 1e-9 && (at[0] - 1.0).abs() < 1e-4, "{at:?} {value}");
+        assert!(asked <= 200);
+        let nowhere = minimum_of_smooth(&[3.0, 3.0], (0.5, 1e-6), 200, |_| f64::NAN, &mut || ControlFlow::Continue(()));
+        assert_eq!(nowhere.unwrap().0, [3.0, 3.0]);
+        let stopped = minimum_of_smooth(&[3.0, 3.0], (0.5, 1e-6), 200, f, &mut || ControlFlow::Break(()));
+        assert_eq!(stopped, Err(Stopped));
     }
 
     #[test]
