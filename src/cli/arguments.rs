@@ -1,6 +1,7 @@
 //! Things people type: each parser says in one sentence what it expected.
 
 use crate::color::Rgb;
+use crate::fit::Method;
 use crate::fresnel::{ModelKind, THETA_MAX_DEG};
 use crate::spectrum::SAMPLES;
 
@@ -61,6 +62,17 @@ pub fn model(text: &str) -> Result<Model, String> {
             .parse()
             .map(Model::Rgb)
             .map_err(|unknown: crate::color::UnknownName| format!("{unknown}, spectral, spectral-N")),
+    }
+}
+
+/// `hoffman`, or `conductor:colour-matching`: a model, and how its parameters are derived from a metal.
+pub fn model_with_method(text: &str) -> Result<(Model, Option<Method>), String> {
+    match text.split_once(':') {
+        None => Ok((model(text)?, None)),
+        Some((name, way)) => {
+            let method = way.parse().map_err(|unknown: crate::color::UnknownName| unknown.to_string())?;
+            Ok((model(name)?, Some(method)))
+        }
     }
 }
 

@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 
 use super::match_photo::MatchCommand;
 use super::output::{Format, Output, complain, print_line};
-use super::study::progress_bar;
+use super::progress::progress_bar;
 use super::usage;
 use crate::photo::{MatchRequest, Untagged};
 

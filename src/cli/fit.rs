@@ -1,28 +1,33 @@
 //! `edgewise fit`: the parameters of models for a measured metal, and how far each is from the truth.
 
-use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
+use rayon::prelude::*;
 use serde_json::json;
 
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::parameters::in_one_cell;
+use super::progress::Progress;
 use crate::color::RgbSpace;
 use crate::fit::{Fit, Method, fit_to_truth};
 use crate::fresnel::ModelKind;
-use crate::metal::{Metal, TruthCurve, metal_by_name};
+use crate::metal::{Metal, TruthCurve, metal_by_name, preferred_metals};
 use crate::preset::pretty_json;
 
 /// Arguments of `edgewise fit`.
 #[derive(Debug, Args)]
 pub struct FitCommand {
-    /// A metal of the library: identifier, name or symbol
-    #[arg(long, value_name = "ID", required_unless_present = "nk")]
-    metal: Option<String>,
+    /// A metal of the library: identifier, name or symbol; may be given again
+    #[arg(long, value_name = "ID", required_unless_present_any = ["nk", "all"])]
+    metal: Vec<String>,
     /// A .csv file with the columns wavelength_nm,n,k (or wavelength_um,n,k), or a .yml of refractiveindex.info
     #[arg(long, value_name = "FILE", conflicts_with = "metal")]
     nk: Option<PathBuf>,
+    /// The preferred data set of every material of the library
+    #[arg(long, conflicts_with_all = ["metal", "nk"])]
+    all: bool,
     /// The model to fit; may be given again. All of them unless given
     #[arg(long)]
     model: Vec<ModelKind>,
@@ -36,36 +41,69 @@ pub struct FitCommand {
     format: FormatArguments,
 }
 
+/// A metal with its fits, in the order they were asked for.
+struct Fitted {
+    metal: Metal,
+    fits: Vec<Fit>,
+}
+
 impl FitCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
-        let metal = match (&self.metal, &self.nk) {
-            (Some(name), _) => metal_by_name(name)?.clone(),
-            (None, Some(path)) => Metal::open(path)?,
-            (None, None) => return Err(super::usage("name a material: --metal or --nk")),
-        };
-        let fits = self.fits(&metal)?;
+        let all = self.all_fits()?;
+        let pairs = || all.iter().flat_map(|fitted| fitted.fits.iter().map(|fit| (&fitted.metal, fit)));
         let text = match self.format.format() {
-            Format::Json => pretty_json(&fits.iter().map(|fit| document(&metal, fit)).collect()),
-            format => self.table(&metal, &fits, format).render(format),
+            Format::Json => pretty_json(&pairs().map(|(metal, fit)| document(metal, fit)).collect()),
+            format => self.table(pairs(), format).render(format),
         };
-        let mut warnings = vec![metal.held_ends().sentence()];
-        warnings.extend(fits.iter().flat_map(sentences));
-        warnings.retain(|sentence| !sentence.is_empty());
-        Ok(Output { text, warnings, ..Output::default() })
+        // One metal needs no name in front of what is said about it.
+        let subject = |metal: &Metal| if all.len() > 1 { format!("{}: ", metal.id) } else { String::new() };
+        let remarks = |fitted: &Fitted| {
+            let (subject, fits) = (subject(&fitted.metal), fitted.fits.iter().flat_map(sentences));
+            fitted
+                .metal
+                .remarks()
+                .into_iter()
+                .chain(fits)
+                .map(move |said| format!("{subject}{said}"))
+                .collect::<Vec<_>>()
+        };
+        Ok(Output { text, warnings: all.iter().flat_map(remarks).collect(), ..Output::default() })
     }
 
-    fn fits(&self, metal: &Metal) -> anyhow::Result<Vec<Fit>> {
-        let truth = TruthCurve::of(metal, self.space);
-        let kinds = if self.model.is_empty() { ModelKind::ALL.to_vec() } else { self.model.clone() };
-        let mut fits = Vec::new();
-        for kind in kinds {
-            let methods: Vec<Method> =
-                if self.method.is_empty() { Method::of(kind).collect() } else { self.methods_for(kind) };
-            for method in methods {
-                fits.push(fit_to_truth(metal, &truth, kind, method, &mut || ControlFlow::Continue(()))?);
-            }
+    fn metals(&self) -> anyhow::Result<Vec<Metal>> {
+        if let Some(path) = &self.nk {
+            return Ok(vec![Metal::open(path)?]);
         }
-        Ok(fits)
+        if self.all {
+            return Ok(preferred_metals().cloned().collect());
+        }
+        self.metal.iter().map(|name| Ok(metal_by_name(name)?.clone())).collect()
+    }
+
+    /// Fits in parallel; Ctrl-C ends every search at its next step.
+    fn all_fits(&self) -> anyhow::Result<Vec<Fitted>> {
+        let (metals, wanted) = (self.metals()?, self.wanted());
+        let (progress, done) = (Progress::new("Fitting"), AtomicUsize::new(0));
+        let total = (metals.len() * wanted.len()).max(1) as f32;
+        let fits_of = |metal: Metal| -> anyhow::Result<Fitted> {
+            let truth = TruthCurve::of(&metal, self.space);
+            let fit = |&(kind, method): &(ModelKind, Method)| {
+                let fit = fit_to_truth(&metal, &truth, kind, method, &mut || progress.keep_going())?;
+                // Whoever breaks this stops the next search at its first step.
+                let _ = progress.report((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / total);
+                Ok(fit)
+            };
+            let fits = wanted.iter().map(fit).collect::<anyhow::Result<_>>()?;
+            Ok(Fitted { metal, fits })
+        };
+        metals.into_par_iter().map(fits_of).collect()
+    }
+
+    /// Models with methods, in the order of the models.
+    fn wanted(&self) -> Vec<(ModelKind, Method)> {
+        let kinds = if self.model.is_empty() { ModelKind::ALL.to_vec() } else { self.model.clone() };
+        let methods = |kind| if self.method.is_empty() { Method::of(kind).collect() } else { self.methods_for(kind) };
+        kinds.into_iter().flat_map(|kind| methods(kind).into_iter().map(move |method| (kind, method))).collect()
     }
 
     /// The methods asked for. Where every model is fitted, only those that the model takes.
@@ -74,7 +112,7 @@ impl FitCommand {
         self.method.iter().filter(is_wanted).copied().collect()
     }
 
-    fn table(&self, metal: &Metal, fits: &[Fit], format: Format) -> Table {
+    fn table<'a>(&self, fits: impl Iterator<Item = (&'a Metal, &'a Fit)>, format: Format) -> Table {
         let mut table = Table::new([
             ("metal", "metal".to_owned()),
             ("space", "space".to_owned()),
@@ -87,7 +125,7 @@ impl FitCommand {
             ("parameters", format!("parameters ({})", self.space)),
         ]);
         let decimals = (format == Format::Table).then_some(4);
-        for fit in fits {
+        for (metal, fit) in fits {
             table.push(vec![
                 metal.id.as_str().into(),
                 fit.space.id().into(),

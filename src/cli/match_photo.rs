@@ -46,6 +46,9 @@ pub struct MatchCommand {
     /// Draw both colours and the strip over the angle into an .svg or .png file
     #[arg(long, value_name = "FILE")]
     swatches: Option<PathBuf>,
+    /// The look of figures: light, for print and slides, or dark
+    #[arg(long, value_name = "THEME", default_value = "light")]
+    theme: FigureTheme,
     /// For several photographs: append the lines to this file, and leave out what it holds already
     #[arg(long, value_name = "FILE")]
     pub(super) results: Option<PathBuf>,
@@ -130,10 +133,10 @@ impl Matched {
             preset.save(path)?;
         }
         if let Some(path) = &command.plot {
-            self.figure(preset).save(path, FigureTheme::Light)?;
+            self.figure(preset).save(path, command.theme)?;
         }
         if let Some(path) = &command.swatches {
-            swatch_figure(preset).save(path, FigureTheme::Light)?;
+            swatch_figure(preset).save(path, command.theme)?;
         }
         Ok(())
     }

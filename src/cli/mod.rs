@@ -20,6 +20,7 @@
 //! | `plan` | `edgewise plan`: what a scene requires |
 //! | `preset_files` | presets that are named as files or as whole folders |
 //! | `presets` | `edgewise presets`: the presets that ship with the program |
+//! | `progress` | a bar on standard error, and an ear for Ctrl-C |
 //! | `reflect` | `edgewise reflect`: reflectance over angle |
 //! | `samples` | `edgewise samples`: the rendered photographs inside the program |
 //! | `shard` | one of several processes that share a job |
@@ -45,6 +46,7 @@ mod picture;
 mod plan;
 mod preset_files;
 mod presets;
+mod progress;
 mod reflect;
 mod samples;
 mod shard;
@@ -169,6 +171,10 @@ pub fn fail(error: &anyhow::Error) -> ExitCode {
     if let Some(usage) = error.downcast_ref::<clap::Error>() {
         output::complain(&usage_sentence(usage));
         return ExitCode::from(USAGE);
+    }
+    if progress::was_stopped() {
+        output::complain("stopped; nothing was written");
+        return ExitCode::from(progress::STOPPED);
     }
     output::complain(&format!("{error:#}"));
     ExitCode::FAILURE

@@ -10,11 +10,11 @@ use super::arguments::{self, Model};
 use super::curve::Curve;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::source::{Material, Source, SourceArguments};
-use crate::figure::{DifferenceFigure, Figure, FigureTheme};
+use crate::figure::{ComparedSpheres, FigureTheme, SphereLayout, save_picture};
 use crate::fit::Method;
 use crate::fresnel::ModelKind;
 use crate::preset::pretty_json;
-use crate::render::{DeltaEMap, Light, Picture, SaveError, SphereView, write_atomically};
+use crate::render::{DeltaEMap, Light, Picture, SaveError, SphereView};
 
 /// Arguments of `edgewise picture`.
 #[derive(Debug, Args)]
@@ -48,6 +48,9 @@ pub struct PictureCommand {
     /// unless given
     #[arg(long, value_name = "DELTA_E", value_parser = arguments::positive, allow_hyphen_values = true)]
     full_scale: Option<f64>,
+    /// The look of --layout difference: light, for print and slides, or dark
+    #[arg(long, value_name = "THEME", default_value = "light")]
+    theme: FigureTheme,
     /// The file: .png in sRGB, or .exr, linear in the space and unclipped
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -70,13 +73,6 @@ enum Layout {
     Difference,
 }
 
-/// What a file is written as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum FileFormat {
-    Png,
-    Exr,
-}
-
 /// The spheres and what they show.
 struct Spheres<'a> {
     source: &'a Source,
@@ -95,13 +91,12 @@ struct Compared<'a> {
 
 impl PictureCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
-        let target =
-            self.output.as_deref().map(|path| FileFormat::of(path).map(|format| (path, format))).transpose()?;
+        self.output.as_deref().map_or(Ok(()), check_ending)?;
         let source = self.source.source()?;
         let mut warnings = source.warnings.clone();
         let spheres = self.spheres(&source, &mut warnings)?;
-        if let Some((path, format)) = target {
-            warnings.extend(self.write(&spheres, path, format)?);
+        if let Some(path) = &self.output {
+            warnings.extend(self.write(&spheres, path)?);
         }
         let text = match self.format.format() {
             Format::Json => pretty_json(&self.document(&spheres, &warnings)),
@@ -135,43 +130,22 @@ impl PictureCommand {
     }
 
     /// Writes the file; what a person should know about it.
-    fn write(&self, spheres: &Spheres<'_>, path: &Path, format: FileFormat) -> anyhow::Result<Option<String>> {
+    fn write(&self, spheres: &Spheres<'_>, path: &Path) -> anyhow::Result<Option<String>> {
         let Some(compared) = &spheres.model else {
             return match self.layout {
-                None | Some(Layout::Truth) => save(&spheres.truth, path, format),
+                None | Some(Layout::Truth) => Ok(save_picture(&spheres.truth, path)?),
                 _ => bail!("this layout compares a material with a model of it; name one with --model"),
             };
         };
-        let (truth, model) = (&spheres.truth, &compared.picture);
-        match self.layout.unwrap_or(Layout::Beside) {
-            Layout::Truth => save(truth, path, format),
-            Layout::Model => save(model, path, format),
-            Layout::Beside => save(&truth.beside(model, gap(self.size)), path, format),
-            Layout::Wipe => save(&truth.wiped(model, 0.5), path, format),
-            Layout::Difference if format == FileFormat::Exr => {
-                save(&compared.map.to_picture(spheres.source.space), path, format)
-            }
-            Layout::Difference => self.write_figure(spheres, compared, path),
-        }
-    }
-
-    fn write_figure(
-        &self,
-        spheres: &Spheres<'_>,
-        compared: &Compared<'_>,
-        path: &Path,
-    ) -> anyhow::Result<Option<String>> {
-        let figure = DifferenceFigure {
+        let both = ComparedSpheres {
             title: spheres.source.name.clone(),
             subtitle: self.subtitle(spheres),
             labels: [spheres.truth_label.clone(), compared.curve.label()],
             pictures: [spheres.truth.clone(), compared.picture.clone()],
-            full_scale: self.full_scale.unwrap_or_else(|| round_scale(compared.map.max())),
+            wipe: 0.5,
+            full_scale: self.full_scale,
         };
-        // One pixel of the sphere for each of the file, while text stays legible and the page small.
-        let scale = (f64::from(self.size) / DifferenceFigure::SIDE).clamp(1.0, MOST_PIXELS_PER_POINT);
-        write_atomically(path, &figure.to_png(FigureTheme::Light, scale))?;
-        Ok(None)
+        Ok(both.save(self.layout.unwrap_or(Layout::Beside).into(), path, self.theme)?)
     }
 
     fn subtitle(&self, spheres: &Spheres<'_>) -> String {
@@ -224,42 +198,23 @@ impl PictureCommand {
     }
 }
 
-/// At this a figure is 3664 pixels wide.
-const MOST_PIXELS_PER_POINT: f64 = 4.0;
-
-/// The first of 1, 2, 5, 10, 20, 50 … that is not below the largest difference, at least 1: about what an eye can see.
-fn round_scale(largest: f64) -> f64 {
-    let decade = 10f64.powf(largest.max(1.0).log10().floor());
-    [1.0, 2.0, 5.0, 10.0].map(|step| step * decade).into_iter().find(|&scale| scale >= largest).unwrap_or(10.0)
-}
-
-/// Columns between two spheres of so many pixels.
-fn gap(size: u32) -> u32 {
-    size / 16
-}
-
-/// Saves a picture; a sentence where it had to be clipped.
-fn save(picture: &Picture, path: &Path, format: FileFormat) -> anyhow::Result<Option<String>> {
-    if format == FileFormat::Exr {
-        picture.save_exr(path)?;
-        return Ok(None);
-    }
-    let shown = picture.to_srgb8();
-    shown.save_png(path)?;
-    let visible = picture.coverage.iter().filter(|&&coverage| coverage > 0.0).count();
-    Ok((shown.clipped > 0).then(|| {
-        let clipped = shown.clipped;
-        format!("{clipped} of {visible} pixels lie outside sRGB and are clipped in the .png; an .exr keeps them")
-    }))
-}
-
-impl FileFormat {
-    fn of(path: &Path) -> Result<Self, SaveError> {
-        let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-        match ending.as_deref() {
-            Some("png") => Ok(Self::Png),
-            Some("exr") => Ok(Self::Exr),
-            _ => Err(SaveError::UnknownFormat { path: path.to_owned(), known: ".png or .exr" }),
+impl From<Layout> for SphereLayout {
+    fn from(layout: Layout) -> Self {
+        match layout {
+            Layout::Truth => Self::Truth,
+            Layout::Model => Self::Model,
+            Layout::Beside => Self::Beside,
+            Layout::Wipe => Self::Wipe,
+            Layout::Difference => Self::Difference,
         }
+    }
+}
+
+/// A name that no picture can be saved under is refused before anything is rendered.
+fn check_ending(path: &Path) -> Result<(), SaveError> {
+    let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+    match ending.as_deref() {
+        Some("png" | "exr") => Ok(()),
+        _ => Err(SaveError::UnknownFormat { path: path.to_owned(), known: ".png or .exr" }),
     }
 }

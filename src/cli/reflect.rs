@@ -34,6 +34,12 @@ pub struct Reflect {
     /// Also draw the curve over 0–90° into an .svg or .png file, with the truth where there is one
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Another model to draw, like schlick or conductor:colour-matching; may be given again
+    #[arg(long, value_name = "MODEL[:METHOD]", value_parser = arguments::model_with_method, requires = "plot")]
+    compare: Vec<(Model, Option<Method>)>,
+    /// The look of the figure: light, for print and slides, or dark
+    #[arg(long, value_name = "THEME", default_value = "light")]
+    theme: FigureTheme,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -44,7 +50,8 @@ impl Reflect {
         let mut warnings = source.warnings.clone();
         let curve = Curve::new(&source, self.model, self.method, &mut warnings)?;
         if let Some(path) = &self.plot {
-            figure(&curve, &source).save(path, FigureTheme::Light)?;
+            let compared = self.compared(&source, &mut warnings)?;
+            figure(&curve, &compared, &source).save(path, self.theme)?;
         }
         let reflectance = |&deg: &f64| (deg, curve.reflectance(CosTheta::from_deg(deg), &source));
         let rows: Vec<(f64, Rgb)> = self.angles.0.iter().map(reflectance).collect();
@@ -56,15 +63,24 @@ impl Reflect {
     }
 }
 
-fn figure(curve: &Curve<'_>, source: &Source) -> CurveFigure {
+impl Reflect {
+    /// The other models of the same material.
+    fn compared<'a>(&self, source: &'a Source, warnings: &mut Vec<String>) -> anyhow::Result<Vec<Curve<'a>>> {
+        let curve = |&(model, method): &(Model, Option<Method>)| Curve::new(source, Some(model), method, warnings);
+        self.compare.iter().map(curve).collect()
+    }
+}
+
+fn figure(curve: &Curve<'_>, compared: &[Curve<'_>], source: &Source) -> CurveFigure {
     let truth = match &source.material {
         Material::Measured(metal) => Some(metal.as_ref()),
         Material::Model(_) => None,
     };
     let mut figure = CurveFigure { title: source.name.clone(), ..curve_figure(truth, &[], source.space) };
-    if !matches!(curve, Curve::Spectral(_)) {
-        figure.models.push(CurveSeries::new(curve.label(), |angle| curve.reflectance(angle, source)));
-    }
+    // The truth is drawn already.
+    let models = std::iter::once(curve).chain(compared).filter(|curve| !matches!(curve, Curve::Spectral(_)));
+    let series = models.map(|curve| CurveSeries::new(curve.label(), |angle| curve.reflectance(angle, source)));
+    figure.models.extend(series);
     figure
 }
 

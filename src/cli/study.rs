@@ -8,15 +8,13 @@ mod shown;
 mod stability;
 mod trade;
 
-use std::ops::ControlFlow;
+use clap::{Args, Subcommand, ValueEnum};
 
-use clap::{Args, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
-
-use super::output::{FormatArguments, Output, Table};
+use super::output::Output;
 use crate::color::RgbSpace;
+use crate::figure::{Figure, accuracy_distribution, accuracy_table};
 use crate::metal::{Metal, metal_by_name, preferred_metals};
-use crate::study::{AccuracyRow, Candidate, accuracy, evidence_markdown, summaries};
+use crate::study::{AccuracyRow, Candidate, Summary, accuracy, evidence_markdown, summaries};
 
 /// Arguments of `edgewise study`.
 #[derive(Debug, Args)]
@@ -68,8 +66,21 @@ struct Accuracy {
     /// Everything the paper claims, measured, as the Markdown of docs/evidence.md; takes a minute
     #[arg(long, exclusive = true)]
     evidence: bool,
+    /// What --plot draws, in the first of the spaces
+    #[arg(long, value_enum, default_value_t, requires = "plot")]
+    figure: AccuracyFigure,
     #[command(flatten)]
-    format: FormatArguments,
+    shown: shown::Shown,
+}
+
+/// What `--plot` draws of the accuracy study.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum AccuracyFigure {
+    /// Every metal against every model
+    #[default]
+    Table,
+    /// One row of dots for each model
+    Distribution,
 }
 
 impl Study {
@@ -91,24 +102,19 @@ impl Study {
 impl Accuracy {
     fn run(self) -> anyhow::Result<Output> {
         if self.evidence {
-            return evidence();
+            let text = shown::with_bar(|progress| evidence_markdown(progress))?;
+            return Ok(Output { text, ..Output::default() });
         }
-        let rows = self.rows()?;
-        let table = if self.summary { Table::of_rows(&summaries(&rows)) } else { Table::of_rows(&rows) };
-        Ok(Output { text: table?.render(self.format.format()), ..Output::default() })
-    }
-
-    fn rows(&self) -> anyhow::Result<Vec<AccuracyRow>> {
         let metals = named_or_preferred(&self.metal)?;
         let spaces = if self.space.is_empty() { RgbSpace::ALL.to_vec() } else { self.space.clone() };
-        let bar = progress_bar("Measuring");
-        let progress = |share: f32| {
-            bar.set_position((share * BAR_STEPS as f32) as u64);
-            ControlFlow::Continue(())
-        };
-        let rows = accuracy(&metals, &self.candidates(), &spaces, &progress)?;
-        bar.finish_and_clear();
-        Ok(rows)
+        let rows = shown::with_bar(|progress| accuracy(&metals, &self.candidates(), &spaces, progress))?;
+        self.shown.draw(|| self.figure_of(&rows, spaces[0]))?;
+        let overview = summaries(&rows);
+        let seen = accuracy_sentence(&overview);
+        if self.summary {
+            return self.shown.output(&overview, &seen, vec![]);
+        }
+        self.shown.output(&rows, &seen, vec![])
     }
 
     fn candidates(&self) -> Vec<Candidate> {
@@ -118,17 +124,31 @@ impl Accuracy {
             (true, false) => Candidate::without_search(),
         }
     }
+
+    /// A figure of the candidates that were named; of all would be too wide to read, so then the usual ones.
+    fn figure_of(&self, rows: &[AccuracyRow], space: RgbSpace) -> Box<dyn Figure> {
+        let is_drawn = |row: &&AccuracyRow| !self.candidate.is_empty() || Candidate::USUAL.contains(&row.candidate);
+        let drawn: Vec<AccuracyRow> = rows.iter().filter(is_drawn).cloned().collect();
+        match self.figure {
+            AccuracyFigure::Table => Box::new(accuracy_table(&drawn, space)),
+            AccuracyFigure::Distribution => Box::new(accuracy_distribution(&drawn, space)),
+        }
+    }
 }
 
-fn evidence() -> anyhow::Result<Output> {
-    let bar = progress_bar("Measuring");
-    let progress = |share: f32| {
-        bar.set_position((share * BAR_STEPS as f32) as u64);
-        ControlFlow::Continue(())
+/// The mean ΔE of Schlick and Hoffman in each space, where they were measured.
+fn accuracy_sentence(overview: &[Summary]) -> String {
+    let of = |candidate: Candidate, name: &str| {
+        let means = overview.iter().filter(|summary| summary.candidate == candidate);
+        let words: Vec<String> = means.map(|s| format!("{:.2} in {}", s.mean_delta_e, s.space.label())).collect();
+        (!words.is_empty()).then(|| format!("{name} {}", words.join(", ")))
     };
-    let text = evidence_markdown(&progress)?;
-    bar.finish_and_clear();
-    Ok(Output { text, ..Output::default() })
+    let told: Vec<String> = [(Candidate::SCHLICK, "Schlick with the true r"), (Candidate::HOFFMAN, "r and h")]
+        .into_iter()
+        .filter_map(|(candidate, name)| of(candidate, name))
+        .collect();
+    let metals = overview.iter().map(|summary| summary.metals).max().unwrap_or(0);
+    if told.is_empty() { String::new() } else { format!("Mean ΔE over {metals} metals: {}.", told.join("; ")) }
 }
 
 /// The metals of these names; the preferred data set of every material for none.
@@ -137,14 +157,4 @@ fn named_or_preferred(names: &[String]) -> anyhow::Result<Vec<&'static Metal>> {
         return Ok(preferred_metals().collect());
     }
     names.iter().map(|name| Ok(metal_by_name(name)?)).collect()
-}
-
-/// Steps of a [`progress_bar`].
-pub(super) const BAR_STEPS: u64 = 1000;
-
-/// A bar on standard error, only where that is a terminal.
-pub(super) fn progress_bar(what: &'static str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent} % {eta}")
-        .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(BAR_STEPS).with_style(style).with_message(what)
 }

@@ -20,6 +20,7 @@ mod output;
 mod page;
 mod place;
 mod scatter;
+mod spheres;
 mod spread;
 mod strip;
 mod style;
@@ -42,6 +43,7 @@ pub use of_study::{
 };
 pub use output::{Figure, FigureFormat};
 pub use scatter::{ScatterFigure, ScatterPoint};
+pub use spheres::{ComparedSpheres, SphereLayout, round_scale, save_picture};
 pub use style::{FigureTheme, Ink, Palette};
 pub use swatch::{SwatchFigure, swatch_figure};
 pub use table::{HeatRow, HeatTable};

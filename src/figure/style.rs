@@ -1,6 +1,10 @@
 //! Colours, sizes and dashes of figures, in a light and a dark variant.
 
+use std::str::FromStr;
+
 use serde::{Deserialize, Serialize};
+
+use crate::color::UnknownName;
 
 /// A colour to draw with: 8-bit sRGB and opacity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +66,14 @@ impl FigureTheme {
     /// Both themes.
     pub const ALL: [Self; 2] = [Self::Light, Self::Dark];
 
+    /// The stable identifier used on the command line.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Light => "light",
+            Self::Dark => "dark",
+        }
+    }
+
     /// The colours of the theme.
     pub const fn palette(self) -> Palette {
         let hex = Ink::hex;
@@ -85,6 +97,15 @@ impl FigureTheme {
                 models: [hex(0xb394f5), hex(0xf5a855), hex(0x55c7d6), hex(0xf08abd), hex(0xc3cb5b), hex(0xa6b1bd)],
             },
         }
+    }
+}
+
+impl FromStr for FigureTheme {
+    type Err = UnknownName;
+
+    fn from_str(text: &str) -> Result<Self, UnknownName> {
+        let found = Self::ALL.into_iter().find(|theme| theme.id() == text);
+        found.ok_or_else(|| UnknownName::new("figure theme", text, Self::ALL.map(Self::id)))
     }
 }
 

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::{fmt, str::FromStr};
 
 use crate::color::{RgbSpace, UnknownName};
-use crate::fit::{CurveError, FitError, Loss, Method, delta_e_over_degrees, fit_to_truth};
+use crate::fit::{CurveError, FitError, Loss, Method, Triple, delta_e_over_degrees, fit_to_truth};
 use crate::fresnel::{ModelKind, whole_degrees};
 use crate::metal::{Metal, SpectralModel, TruthCurve};
 use crate::spectrum::{FewWavelengths, Quadrature};
@@ -28,6 +28,20 @@ impl Candidate {
     pub const LAZANYI: Self = Self::Model(ModelKind::Lazanyi, Method::LeastSquares);
     /// Hoffman with the exact r and h.
     pub const HOFFMAN: Self = Self::Model(ModelKind::Hoffman, Method::Exact);
+
+    /// What people compare: each model by its usual methods, few enough for a figure.
+    pub const USUAL: [Self; 10] = [
+        Self::HOFFMAN,
+        Self::SCHLICK,
+        Self::LAZANYI,
+        Self::Model(ModelKind::GeneralizedSchlick, Method::LeastSquares),
+        Self::Model(ModelKind::Gulbrandsen, Method::Points(Triple::ROUND)),
+        Self::Model(ModelKind::Gulbrandsen, Method::DefaultTint),
+        Self::Model(ModelKind::Conductor, Method::Points(Triple::ROUND)),
+        Self::Model(ModelKind::Conductor, Method::ColourMatching),
+        Self::Model(ModelKind::Conductor, Method::BlackBox),
+        Self::Spectral(8, Quadrature::Bins),
+    ];
 
     /// Every model with every method, and the spectral model.
     pub fn all() -> Vec<Self> {

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::{
     AccuracyRow, Candidate, ConversionOptions, Distribution, SpreadRow, StudyError, Summary, accuracy, blend_matrix,
-    blend_spread, conversion_spread, conversions, no_progress, spread, summaries,
+    blend_spread, conversion_spread, conversions, spread, summaries,
 };
 use crate::color::{Rgb, RgbSpace};
 use crate::fit::{CurveError, Method};
@@ -49,9 +49,10 @@ impl Evidence {
         let library: Vec<&Metal> = preferred_metals().collect();
         let stopped = |stopped| StudyError::Fit(crate::fit::FitError::Stopped(stopped));
         let quick = Candidate::without_black_box();
-        let mut rows = accuracy(&library, &quick, &RgbSpace::ALL, &no_progress).map_err(stopped)?;
+        let part = |from: f32, to: f32| move |share: f32| progress(from + (to - from) * share);
+        let mut rows = accuracy(&library, &quick, &RgbSpace::ALL, &part(0.0, 0.1)).map_err(stopped)?;
         let searches = [Self::FITTED_LAZANYI, Self::FITTED_NK];
-        rows.extend(accuracy(&library, &searches, &SEARCHED, progress).map_err(stopped)?);
+        rows.extend(accuracy(&library, &searches, &SEARCHED, &part(0.1, 0.9)).map_err(stopped)?);
         let to_srgb = ConversionOptions { from: SPACE, to: RgbSpace::LinRec709, ..ConversionOptions::default() };
         let truths: Vec<(&str, TruthCurve)> =
             library.par_iter().map(|metal| (metal.name.as_str(), TruthCurve::of(metal, SPACE))).collect();
@@ -59,8 +60,8 @@ impl Evidence {
             summaries: summaries(&rows),
             rows,
             spread: spread(metals(), RgbSpace::LinRec709),
-            conversion: conversion_spread(&conversions(&library, &to_srgb, &no_progress)?),
-            blending: blend_spread(&blend_matrix(&library, SPACE, Method::LeastSquares, &no_progress)?),
+            conversion: conversion_spread(&conversions(&library, &to_srgb, &part(0.9, 0.95))?),
+            blending: blend_spread(&blend_matrix(&library, SPACE, Method::LeastSquares, &part(0.95, 1.0))?),
             schlick_peak_deg: Distribution::of(
                 truths.iter().map(|(name, truth)| (*name, peak_of_schlicks_error_deg(truth))),
             ),

@@ -4,7 +4,7 @@ use std::fs;
 
 use edgewise::color::RgbSpace;
 use edgewise::fresnel::t_from_r_h;
-use edgewise::metal::metal_by_name;
+use edgewise::metal::{metal_by_name, preferred_metals};
 use edgewise::preset::Preset;
 use serde_json::{Value, json};
 
@@ -35,6 +35,13 @@ fn convert_is_exact_between_two_words_for_one_curve() {
     assert!(stderr(&lossy).contains("warning: gulbrandsen: "), "{}", stderr(&lossy));
 }
 
+/// Standard output of a run that may have warned.
+fn quiet_or_warned(arguments: &[&str]) -> String {
+    let output = edgewise(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    String::from_utf8(output.stdout).unwrap()
+}
+
 #[test]
 fn fit_gives_parameters_with_their_error() {
     let fits = json(&["fit", "--metal", "Cr", "--model", "hoffman", "--space", "acescg", "--json"]);
@@ -53,6 +60,11 @@ fn fit_gives_parameters_with_their_error() {
         refusal(1, &["fit", "--metal", "Cr", "--model", "conductor", "--method", "exact"]).contains("least-squares")
     );
     refusal(2, &["fit"]);
+
+    let two = json(&["fit", "--metal", "Cr", "--metal", "Fe", "--model", "schlick", "--method", "exact", "--json"]);
+    assert_eq!((&two[0]["metal"], &two[1]["metal"]), (&json!("Cr_Johnson"), &json!("Fe_Querry")));
+    let all = quiet_or_warned(&["fit", "--all", "--model", "hoffman", "--method", "exact", "--format", "csv"]);
+    assert_eq!(all.lines().count(), 1 + preferred_metals().count());
 }
 
 #[test]
@@ -66,6 +78,16 @@ fn study_accuracy_measures_what_it_is_asked() {
     let header =
         "metal,name,category,space,model,method,mean_delta_e,max_delta_e,angle_of_max_deg,sphere_delta_e,losses";
     assert_eq!(csv.lines().next(), Some(header));
+    let folder = tempfile::tempdir().unwrap();
+    for figure in ["table", "distribution"] {
+        let plot = folder.path().join(format!("{figure}.svg"));
+        let drawn = [&with(&[])[..], &["--plot", plot.to_str().unwrap(), "--figure", figure]].concat();
+        let table = quiet(&drawn);
+        assert!(table.contains("Mean ΔE over 2 metals: Schlick"), "{table}");
+        let svg = fs::read_to_string(plot).unwrap();
+        assert!(svg.contains("Hoffman") && svg.contains("Schlick") && svg.contains("ACEScg"), "{figure}");
+    }
+    refusal(2, &with(&["--figure", "table"]));
     let summary = json(&with(&["--summary", "--json"]));
     let mean = |row: &Value| row["mean_delta_e"].as_f64().unwrap();
     assert!((mean(&summary[0]) - (mean(&rows[0]) + mean(&rows[2])) / 2.0).abs() < 1e-12);

@@ -13,3 +13,4 @@ mod program;
 mod reflect;
 mod run;
 mod shards;
+mod stopping;

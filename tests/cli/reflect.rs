@@ -188,3 +188,24 @@ fn reflect_plots_what_it_prints() {
         assert!(sentence.contains(reason) && sentence.contains(name), "{sentence}");
     }
 }
+
+#[test]
+fn reflect_draws_other_models_beside_it_on_either_ground() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("curves.svg");
+    let arguments = ["reflect", "--metal", "Cr", "--plot", path.to_str().unwrap()];
+    let draw = |more: &[&str]| {
+        quiet(&[&arguments[..], more].concat());
+        std::fs::read_to_string(&path).unwrap()
+    };
+    let others = ["--compare", "schlick", "--compare", "conductor:colour-matching", "--compare", "spectral-8"];
+    let light = draw(&others);
+    for name in ["Truth", "Schlick", "Conductor", "colour-matching", "8 wavelengths"] {
+        assert!(light.contains(name), "{name}");
+    }
+    let dark = draw(&[&others[..], &["--theme", "dark"]].concat());
+    assert!(dark.contains("#191919") && !light.contains("#191919"), "the ground");
+    assert!(refusal(2, &[&arguments[..], &["--theme", "sepia"]].concat()).contains("light, dark"));
+    assert!(refusal(2, &[&arguments[..], &["--compare", "schlick:by-eye"]].concat()).contains("by-eye"));
+    assert!(refusal(2, &["reflect", "--metal", "Cr", "--compare", "schlick"]).contains("--plot"));
+}

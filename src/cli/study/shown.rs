@@ -7,7 +7,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::output::{Format, FormatArguments, Output, Table};
-use super::{BAR_STEPS, progress_bar};
+use super::super::progress::Progress;
 use crate::figure::{Figure, FigureTheme};
 use crate::fit::Method;
 
@@ -17,6 +17,9 @@ pub(super) struct Shown {
     /// Also draw the figure into an .svg or .png file
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// The look of the figure: light, for print and slides, or dark
+    #[arg(long, value_name = "THEME", default_value = "light")]
+    theme: FigureTheme,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -25,7 +28,7 @@ impl Shown {
     /// Draws the figure where one is wanted.
     pub(super) fn draw(&self, figure: impl FnOnce() -> Box<dyn Figure>) -> anyhow::Result<()> {
         match &self.plot {
-            Some(path) => Ok(figure().save(path, FigureTheme::Light)?),
+            Some(path) => Ok(figure().save(path, self.theme)?),
             None => Ok(()),
         }
     }
@@ -33,7 +36,7 @@ impl Shown {
     /// Rows in the chosen format; below a table also what is seen in them.
     pub(super) fn output<T: Serialize>(&self, rows: &[T], seen: &str, warnings: Vec<String>) -> anyhow::Result<Output> {
         let format = self.format.format();
-        let sentence = if format == Format::Table { format!("\n{seen}\n") } else { String::new() };
+        let sentence = if format == Format::Table && !seen.is_empty() { format!("\n{seen}\n") } else { String::new() };
         Ok(Output { text: Table::of_rows(rows)?.render(format) + &sentence, warnings, ..Output::default() })
     }
 }
@@ -53,15 +56,10 @@ pub(super) fn index_method(text: &str) -> Result<Method, String> {
 pub(super) const METHOD_HELP: &str = "How n, k and g of a metal are derived: colour-matching, least-squares, \
     black-box, band-average, or points-R-G-B in nanometres";
 
-/// Runs a study under a progress bar.
+/// Runs a study under a progress bar, until Ctrl-C.
 pub(super) fn with_bar<T>(work: impl FnOnce(&(dyn Fn(f32) -> ControlFlow<()> + Sync)) -> T) -> T {
-    let bar = progress_bar("Measuring");
-    let result = work(&|share: f32| {
-        bar.set_position((share * BAR_STEPS as f32) as u64);
-        ControlFlow::Continue(())
-    });
-    bar.finish_and_clear();
-    result
+    let progress = Progress::new("Measuring");
+    work(&|share| progress.report(share))
 }
 
 #[cfg(test)]
