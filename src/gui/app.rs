@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, ThemePreference, Ui, ViewportCommand, gui_zoom};
+use eframe::egui::{
+    CentralPanel, Context, Frame, Margin, Panel, Theme, ThemePreference, Ui, ViewportCommand, gui_zoom,
+};
 
 use super::command::{Action, Command};
 use super::copying::CopyForm;
@@ -15,8 +17,10 @@ use super::job::{Job, Poll};
 use super::photograph::{Loaded, Session, Source};
 use super::prompt::{Among, Answer, Prompt};
 use super::recovery::{LeftBehind, Recovery};
+use super::sheet::{Sheet, SheetKind};
 use super::state::{NoticeKind, Page, State};
 use super::{panels, theme};
+use crate::figure::FigureTheme;
 use crate::import::{Imported, import_file};
 use crate::metal::{Metal, metal_by_name};
 use crate::preset::Preset;
@@ -36,6 +40,7 @@ pub struct App {
     /// What the system's dialog is asked to find a place for.
     choosing: Option<Asked>,
     writing: Option<Job<Writing, Result<String, Failure>>>,
+    saving_sheet: Option<Job<(Sheet, PathBuf), Result<Option<String>, String>>>,
     /// What was asked before the preset had to be saved.
     after_saving: Option<Action>,
     may_close: bool,
@@ -67,6 +72,7 @@ impl App {
             export: None,
             choosing: None,
             writing: None,
+            saving_sheet: None,
             after_saving: None,
             may_close: false,
             recovery: None,
@@ -108,6 +114,7 @@ impl App {
         let is_photograph_busy = self.state.photograph.as_ref().is_some_and(Session::is_busy);
         let has_jobs =
             self.loading.is_some() || self.reading.is_some() || self.adding.is_some() || self.saving.is_some();
+        let has_jobs = has_jobs || self.saving_sheet.is_some();
         has_jobs
             || self.recovery.as_ref().is_some_and(Recovery::is_busy)
             || self.importing.is_some()
@@ -116,6 +123,7 @@ impl App {
             || self.dialog.is_some()
             || is_photograph_busy
             || self.state.spheres.is_busy()
+            || self.state.comparisons.is_busy()
             || self.state.metals.is_busy()
             || self.state.demonstrations.is_busy()
             || (self.state.page == Page::Library && self.state.library.is_busy())
@@ -156,6 +164,8 @@ impl App {
                     session.set_reference_metal(metal);
                 }
             }
+            Action::SaveSheet(kind) => self.ask_system(ctx, Purpose::SaveSheet(kind)),
+            Action::SaveSheetTo(kind, path) => self.save_sheet(ctx, kind, path),
             Action::CompareWith(metal) => {
                 self.state.view.metal = Some(metal);
                 self.state.page = Page::Author;
@@ -193,7 +203,7 @@ impl App {
         match command {
             Command::New => self.state.document = Document::new(Preset::new_authored(), None),
             Command::Open => self.ask_system(ctx, Purpose::Open),
-            Command::OpenPath => self.ask_path(Purpose::Open, None),
+            Command::OpenPath => self.ask_path(ctx, Purpose::Open, None),
             Command::OpenSample => self.prompt = Some(Prompt::find(Among::Samples)),
             Command::OpenLibrary => self.ask_system(ctx, Purpose::Library),
             Command::NewFromMetal => self.prompt = Some(Prompt::find(Among::MetalsToStartFrom)),
@@ -202,7 +212,7 @@ impl App {
                 None => self.ask_system(ctx, Purpose::Save),
             },
             Command::SaveAs => self.ask_system(ctx, Purpose::Save),
-            Command::SavePath => self.ask_path(Purpose::Save, None),
+            Command::SavePath => self.ask_path(ctx, Purpose::Save, None),
             Command::Import => self.ask_system(ctx, Purpose::Import),
             Command::Export => {
                 let folder = self.state.document.file().and_then(Path::parent).map(Path::to_owned);
@@ -235,7 +245,7 @@ impl App {
             Command::CompareNone => self.state.view.metal = None,
             Command::ToggleGrazing => self.state.view.is_grazing_only ^= true,
             Command::ToggleTheme => {
-                let is_dark = ctx.theme() == eframe::egui::Theme::Dark;
+                let is_dark = ctx.theme() == Theme::Dark;
                 ctx.set_theme(if is_dark { ThemePreference::Light } else { ThemePreference::Dark });
             }
             Command::ZoomIn => gui_zoom::zoom_in(ctx),
@@ -273,25 +283,25 @@ impl App {
     }
 
     fn ask_system(&mut self, ctx: &Context, purpose: Purpose) {
-        let file_name = self.file_name(purpose);
-        match FileDialog::open(ctx, purpose, &file_name) {
+        match FileDialog::open(ctx, purpose, &self.file_name(ctx, purpose)) {
             Ok(dialog) => self.dialog = Some(dialog),
-            Err(_) => self.ask_path(purpose, Some(NO_DIALOG)),
+            Err(_) => self.ask_path(ctx, purpose, Some(NO_DIALOG)),
         }
     }
 
-    /// The name a new file would have.
-    fn file_name(&self, purpose: Purpose) -> String {
+    /// A name for a file that is saved for the first time.
+    fn file_name(&self, ctx: &Context, purpose: Purpose) -> String {
         match purpose {
             Purpose::SavePiece(piece) => self.state.demonstrations.exhibit(self.state.open()).file_name(piece),
+            Purpose::SaveSheet(kind) => Sheet::of(&self.state.metals, kind, figure_theme(ctx)).file_name(),
             _ => format!("{}.json", self.state.document.preset.file_stem()),
         }
     }
 
-    fn ask_path(&mut self, purpose: Purpose, reason: Option<&'static str>) {
+    fn ask_path(&mut self, ctx: &Context, purpose: Purpose, reason: Option<&'static str>) {
         let text = match (purpose, self.state.document.file()) {
             (Purpose::Save, Some(path)) => path.display().to_string(),
-            (Purpose::Save | Purpose::SavePiece(_), _) => self.file_name(purpose),
+            (Purpose::Save | Purpose::SavePiece(_) | Purpose::SaveSheet(_), _) => self.file_name(ctx, purpose),
             (Purpose::Open | Purpose::Import | Purpose::Library | Purpose::Export(_), _) => String::new(),
         };
         self.prompt = Some(Prompt::Path { purpose, text, reason });
@@ -448,6 +458,26 @@ impl App {
         self.saving = self.started(job);
     }
 
+    fn save_sheet(&mut self, ctx: &Context, kind: SheetKind, path: PathBuf) {
+        let sheet = Sheet::of(&self.state.metals, kind, figure_theme(ctx));
+        let job = Job::start(ctx, "save sheet", (sheet, path), |(sheet, path), progress| sheet.write(&path, progress));
+        self.saving_sheet = self.started(job);
+    }
+
+    fn poll_sheet(&mut self) {
+        let Some(job) = self.saving_sheet.take() else { return };
+        let path = &job.input.1;
+        match job.poll() {
+            Poll::Working => self.saving_sheet = Some(job),
+            Poll::Done(Ok(remark)) => {
+                let remark = remark.map_or_else(String::new, |remark| format!("; {remark}"));
+                self.state.notify(NoticeKind::Done, format!("Saved {}{remark}", path.display()));
+            }
+            Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
+            Poll::Lost => self.state.notify(NoticeKind::Error, lost("saving", path)),
+        }
+    }
+
     /// The job, or a notice that the system gives no thread.
     fn started<I, O>(&mut self, job: std::io::Result<Job<I, O>>) -> Option<Job<I, O>> {
         job.inspect_err(|error| self.state.notify(NoticeKind::Error, format!("no thread could be started: {error}")))
@@ -480,6 +510,7 @@ impl App {
         }
         self.poll_importing(ctx);
         self.poll_writing();
+        self.poll_sheet();
         if let Some(job) = self.saving.take() {
             match job.poll() {
                 Poll::Working => self.saving = Some(job),
@@ -554,9 +585,10 @@ impl App {
                 Purpose::Library => self.apply(ctx, Action::OpenLibrary(path)),
                 Purpose::Import => self.import(ctx, path),
                 Purpose::Export(_) => {}
+                Purpose::SaveSheet(kind) => self.save_sheet(ctx, kind, path),
             },
             Outcome::Cancelled => self.after_saving = None,
-            Outcome::NoService => self.ask_path(purpose, Some(NO_DIALOG)),
+            Outcome::NoService => self.ask_path(ctx, purpose, Some(NO_DIALOG)),
         }
     }
 
@@ -603,7 +635,7 @@ impl App {
             ui.label("Waiting for the system's file dialog");
             if ui.button("Type a path instead").clicked() {
                 self.dialog = None;
-                self.ask_path(purpose, None);
+                self.ask_path(ui.ctx(), purpose, None);
             }
             if ui.button("Stop waiting").clicked() {
                 self.dialog = None;
@@ -678,6 +710,11 @@ impl App {
         let dropped = ctx.input(|input| input.raw.dropped_files.clone());
         actions.extend(dropped.iter().map(|file| Action::Load(file.path().to_owned())));
     }
+}
+
+/// Figures are saved as they are looked at.
+fn figure_theme(ctx: &Context) -> FigureTheme {
+    if ctx.theme() == Theme::Dark { FigureTheme::Dark } else { FigureTheme::Light }
 }
 
 /// More notes of one import would push everything else off the window.

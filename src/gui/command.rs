@@ -7,6 +7,7 @@ use eframe::egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, 
 use super::demonstrations::{Choice, Piece, Slot};
 use super::export::Writing;
 use super::recovery::LeftBehind;
+use super::sheet::SheetKind;
 use super::state::{Page, State};
 use crate::metal::Metal;
 use crate::preset::Preset;
@@ -371,6 +372,10 @@ pub(crate) enum Action {
     ChooseReferenceMetal,
     /// Says which metal the reference ball is of.
     SetReferenceMetal(&'static Metal),
+    /// Asks where to save what the page of metals shows.
+    SaveSheet(SheetKind),
+    /// Saves it.
+    SaveSheetTo(SheetKind, PathBuf),
 }
 
 impl From<Command> for Action {

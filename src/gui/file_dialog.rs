@@ -10,6 +10,7 @@ use eframe::egui::Context;
 
 use super::demonstrations::Piece;
 use super::job::{Job, Poll};
+use super::sheet::SheetKind;
 use crate::export::Target;
 
 /// What the file is for.
@@ -27,6 +28,8 @@ pub(crate) enum Purpose {
     Import,
     /// Where to write for a renderer.
     Export(Target),
+    /// Where to write what the page of metals shows.
+    SaveSheet(SheetKind),
 }
 
 /// What came of a dialog.
@@ -66,6 +69,11 @@ impl FileDialog {
             Purpose::Export(target) => save_dialog(target.label(), target.extension(), file_name),
             Purpose::Save => save_dialog("Edgewise preset", "json", file_name),
             Purpose::SavePiece(piece) => save_dialog("Demonstration", piece.extension(), file_name),
+            Purpose::SaveSheet(kind) => {
+                let dialog = rfd::AsyncFileDialog::new().set_file_name(file_name);
+                let by_ending = |dialog: rfd::AsyncFileDialog, ending: &&str| dialog.add_filter(*ending, &[*ending]);
+                Box::pin(kind.endings().iter().fold(dialog, by_ending).save_file())
+            }
         };
         let job = Job::start(ctx, "file dialog", purpose, move |_, _| {
             let start = Instant::now();

@@ -2,15 +2,19 @@
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use eframe::egui::Context;
 
 use super::job::Follower;
+use super::spheres::Spheres;
 use super::truth::curve_angles_deg;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
-use crate::fit::{Method, Triple, fit};
-use crate::fresnel::{CosTheta, ModelKind};
-use crate::metal::{Metal, metal_by_name, preferred_metals};
+use crate::fit::{CurveError, Method, Triple, fit};
+use crate::fresnel::{CosTheta, FresnelModel, ModelKind};
+use crate::metal::{Metal, metal_by_name, metals, preferred_metals};
+use crate::number::median_of_sorted;
+use crate::render::Light;
 use crate::study::{AccuracyRow, Candidate, accuracy};
 
 /// A model with a way to its parameters, as the page offers it.
@@ -24,6 +28,13 @@ pub(crate) struct Contestant {
     pub kind: ModelKind,
     /// The way to its parameters.
     pub method: Method,
+}
+
+impl Contestant {
+    /// The same as the accuracy study knows it.
+    pub(crate) const fn candidate(self) -> Candidate {
+        Candidate::Model(self.kind, self.method)
+    }
 }
 
 /// What can be drawn over the truth; also the columns of the table.
@@ -83,6 +94,8 @@ pub(crate) const CONTESTANTS: [Contestant; 8] = [
 pub(crate) struct Fitted {
     /// Which of [`CONTESTANTS`].
     pub contestant: usize,
+    /// With its parameters.
+    pub model: FresnelModel,
     /// Reflectance at each angle of the curves.
     pub curve: Vec<Rgb>,
     /// ΔE to the truth at each angle of the curves.
@@ -102,6 +115,21 @@ pub(crate) struct Curves {
     pub truth: Vec<Rgb>,
     /// The contestants asked for.
     pub fitted: Vec<Fitted>,
+    /// Other measurements of the same material, where they are asked for and there are any.
+    pub spread: Option<Spread>,
+}
+
+/// How far other measurements of a material are apart from the one on show.
+#[derive(Clone, Debug)]
+pub(crate) struct Spread {
+    /// How many others there are.
+    pub others: usize,
+    /// The least of all at each angle, this one included.
+    pub low: Vec<Rgb>,
+    /// The greatest.
+    pub high: Vec<Rgb>,
+    /// The median ΔE of the others to this one at each angle.
+    pub delta_e: Vec<f64>,
 }
 
 /// What the curves depend on.
@@ -110,12 +138,35 @@ struct Asked {
     metal: &'static Metal,
     space: RgbSpace,
     contestants: BTreeSet<usize>,
+    has_spread: bool,
 }
 
 impl PartialEq for Asked {
     fn eq(&self, other: &Self) -> bool {
         (&self.metal.id, self.space, &self.contestants) == (&other.metal.id, other.space, &other.contestants)
+            && self.has_spread == other.has_spread
     }
+}
+
+/// What the page shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum MetalsView {
+    /// Models over the truth of one metal.
+    #[default]
+    Curves,
+    /// Spheres by the truth and by one model.
+    Spheres,
+    /// Every metal against every model.
+    Table,
+}
+
+impl MetalsView {
+    /// Every view with its name and what it shows.
+    pub(crate) const ALL: [(Self, &'static str, &'static str); 3] = [
+        (Self::Curves, "Curves", "Models over the truth of this metal"),
+        (Self::Spheres, "Spheres", "A sphere by the truth and by a model, and where they differ"),
+        (Self::Table, "All metals", "A table of every metal and model"),
+    ];
 }
 
 /// What the cells of the table show.
@@ -126,20 +177,27 @@ pub(crate) enum Measure {
     Mean,
     /// The largest.
     Max,
+    /// The angle of the largest.
+    Angle,
     /// Mean over the picture of a sphere.
     Sphere,
 }
 
 impl Measure {
     /// Every choice with its name.
-    pub(crate) const ALL: [(Self, &'static str); 3] =
-        [(Self::Mean, "Mean over 0–90°"), (Self::Max, "Largest"), (Self::Sphere, "Mean over a sphere")];
+    pub(crate) const ALL: [(Self, &'static str); 4] = [
+        (Self::Mean, "Mean over 0–90°"),
+        (Self::Max, "Largest"),
+        (Self::Angle, "Angle of the largest"),
+        (Self::Sphere, "Mean over a sphere"),
+    ];
 
-    pub(crate) fn of(self, row: &AccuracyRow) -> f64 {
+    pub(crate) fn of(self, error: &CurveError) -> f64 {
         match self {
-            Self::Mean => row.mean_delta_e,
-            Self::Max => row.max_delta_e,
-            Self::Sphere => row.sphere_delta_e,
+            Self::Mean => error.mean_delta_e,
+            Self::Max => error.max_delta_e,
+            Self::Angle => error.angle_of_max_deg,
+            Self::Sphere => error.sphere_delta_e,
         }
     }
 }
@@ -165,8 +223,8 @@ impl Sorting {
 pub(crate) struct TableRow {
     /// The metal.
     pub metal: &'static Metal,
-    /// A row of the study for each contestant.
-    pub cells: Vec<AccuracyRow>,
+    /// The error of each contestant.
+    pub cells: Vec<CurveError>,
 }
 
 /// The page of metals.
@@ -183,18 +241,38 @@ pub(crate) struct MetalsPage {
     pub path: String,
     /// Which of [`CONTESTANTS`] are drawn.
     pub shown: BTreeSet<usize>,
-    /// Whether the table of all metals is shown in place of the curves.
-    pub is_table: bool,
-    /// What its cells show.
+    /// Whether other measurements of the same material are drawn.
+    pub has_spread: bool,
+    /// What is on show.
+    pub view: MetalsView,
+    /// What the cells of the table show.
     pub measure: Measure,
-    /// How it is sorted.
+    /// How the table is sorted.
     pub sorting: Sorting,
+    /// Which of [`CONTESTANTS`] is on the spheres.
+    pub on_sphere: usize,
+    /// The light around the spheres.
+    pub light: Light,
+    /// Where the model begins in the wiped sphere, 0–1.
+    pub wipe: f32,
+    /// The pictures of the spheres.
+    pub spheres: Spheres,
     /// The angle under the pointer.
     pub cursor_deg: Option<f64>,
     fits: Follower<Asked, Curves>,
     curves: Option<Curves>,
-    study: Follower<RgbSpace, Vec<TableRow>>,
-    table: Option<(RgbSpace, Vec<TableRow>)>,
+    study: Follower<Studied, Vec<TableRow>>,
+    table: Option<Table>,
+}
+
+/// What the table depends on: the space, and how many metals a person has added.
+type Studied = (RgbSpace, usize);
+
+/// The newest table, in the order it was last sorted.
+struct Table {
+    studied: Studied,
+    order: (Sorting, Measure),
+    rows: Arc<Vec<TableRow>>,
 }
 
 impl Default for MetalsPage {
@@ -206,9 +284,14 @@ impl Default for MetalsPage {
             own: Vec::new(),
             path: String::new(),
             shown: BTreeSet::from([0, 1, 3]),
-            is_table: false,
+            has_spread: true,
+            view: MetalsView::default(),
             measure: Measure::default(),
             sorting: Sorting::default(),
+            on_sphere: 0,
+            light: Light::PhotoStudio,
+            wipe: 0.5,
+            spheres: Spheres::default(),
             cursor_deg: None,
             fits: Follower::default(),
             curves: None,
@@ -221,7 +304,7 @@ impl Default for MetalsPage {
 impl MetalsPage {
     /// True while something is computed.
     pub(crate) fn is_busy(&self) -> bool {
-        self.fits.is_busy() || self.study.is_busy()
+        self.fits.is_busy() || self.study.is_busy() || self.spheres.is_busy()
     }
 
     /// Adds a metal of a person's own and shows it.
@@ -233,7 +316,8 @@ impl MetalsPage {
 
     /// The newest curves there are, and sees to it that those asked for follow.
     pub(crate) fn curves(&mut self, ctx: &Context) -> Option<&Curves> {
-        let asked = Asked { metal: self.metal, space: self.space, contestants: self.shown.clone() };
+        let contestants = self.shown.iter().copied().chain([self.on_sphere]).collect();
+        let asked = Asked { metal: self.metal, space: self.space, contestants, has_spread: self.has_spread };
         if let Some((_, curves)) = self.fits.follow(ctx, "fit models", asked, |asked, _| curves_of(&asked)) {
             self.curves = Some(curves);
         }
@@ -241,17 +325,21 @@ impl MetalsPage {
     }
 
     /// The table of all metals, sorted; sees to it that it is computed for the space on show.
-    pub(crate) fn table(&mut self, ctx: &Context) -> Option<&[TableRow]> {
-        let done = self.study.follow(ctx, "accuracy study", self.space, |space, progress| {
-            table_of(space, &|fraction| progress.report(fraction))
+    pub(crate) fn table(&mut self, ctx: &Context) -> Option<Arc<Vec<TableRow>>> {
+        let (own, order) = (self.own.clone(), (self.sorting, self.measure));
+        let done = self.study.follow(ctx, "accuracy study", (self.space, own.len()), move |(space, _), progress| {
+            table_of(&own, space, &|fraction| progress.report(fraction))
         });
-        if done.is_some() {
-            self.table = done;
+        if let Some((studied, mut rows)) = done {
+            sort(&mut rows, order.0, order.1);
+            self.table = Some(Table { studied, order, rows: Arc::new(rows) });
         }
-        let (sorting, measure) = (self.sorting, self.measure);
-        let (_, rows) = self.table.as_mut().filter(|(space, _)| *space == self.space)?;
-        sort(rows, sorting, measure);
-        Some(rows)
+        let table = self.table.as_mut().filter(|table| table.studied.0 == self.space)?;
+        if table.order != order {
+            sort(Arc::<Vec<TableRow>>::make_mut(&mut table.rows), order.0, order.1);
+            table.order = order;
+        }
+        Some(table.rows.clone())
     }
 }
 
@@ -265,7 +353,36 @@ fn curves_of(asked: &Asked) -> Curves {
     let at = |deg: f64| asked.metal.reflectance(CosTheta::from_deg(deg), asked.space);
     let truth: Vec<Rgb> = curve_angles_deg().map(at).collect();
     let fitted = asked.contestants.iter().filter_map(|&index| fitted(asked, index, &truth)).collect();
-    Curves { truth, fitted }
+    let spread = if asked.has_spread { spread_of(asked, &truth) } else { None };
+    Curves { truth, fitted, spread }
+}
+
+/// Other measurements of a material: what is calculated or fitted to earlier data is none.
+pub(crate) fn other_measurements(metal: &Metal) -> impl Iterator<Item = &'static Metal> + '_ {
+    let is_other = |other: &&Metal| other.name == metal.name && other.id != metal.id && other.is_measured();
+    metals().iter().filter(is_other)
+}
+
+fn spread_of(asked: &Asked, truth: &[Rgb]) -> Option<Spread> {
+    let curve = |metal: &Metal| -> Vec<Rgb> {
+        curve_angles_deg().map(|deg| metal.reflectance(CosTheta::from_deg(deg), asked.space)).collect()
+    };
+    let others: Vec<Vec<Rgb>> = other_measurements(asked.metal).map(curve).collect();
+    let extreme = |index: usize, pick: fn(f64, f64) -> f64| {
+        others.iter().fold(truth[index], |extreme, other| extreme.zip(other[index], pick))
+    };
+    let median_delta_e = |index: usize| {
+        let mut values: Vec<f64> =
+            others.iter().map(|other| delta_e_rgb(other[index], truth[index], asked.space)).collect();
+        values.sort_by(f64::total_cmp);
+        median_of_sorted(&values, |value| *value)
+    };
+    (!others.is_empty()).then(|| Spread {
+        others: others.len(),
+        low: (0..truth.len()).map(|index| extreme(index, f64::min)).collect(),
+        high: (0..truth.len()).map(|index| extreme(index, f64::max)).collect(),
+        delta_e: (0..truth.len()).map(median_delta_e).collect(),
+    })
 }
 
 fn fitted(asked: &Asked, contestant: usize, truth: &[Rgb]) -> Option<Fitted> {
@@ -275,16 +392,30 @@ fn fitted(asked: &Asked, contestant: usize, truth: &[Rgb]) -> Option<Fitted> {
     let delta_e = curve.iter().zip(truth).map(|(ours, theirs)| delta_e_rgb(*ours, *theirs, asked.space)).collect();
     let losses = fit.losses.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
     let (mean, max) = (fit.error.mean_delta_e, fit.error.max_delta_e);
-    Some(Fitted { contestant, curve, delta_e, mean, max, losses })
+    Some(Fitted { contestant, model: fit.model, curve, delta_e, mean, max, losses })
 }
 
-fn table_of(space: RgbSpace, progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync)) -> Vec<TableRow> {
-    let metals: Vec<&'static Metal> = preferred_metals().collect();
-    let candidates = CONTESTANTS.map(|contestant| Candidate::Model(contestant.kind, contestant.method));
+fn table_of(
+    own: &[&'static Metal],
+    space: RgbSpace,
+    progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync),
+) -> Vec<TableRow> {
+    let metals: Vec<&'static Metal> = own.iter().copied().chain(preferred_metals()).collect();
+    let candidates = CONTESTANTS.map(Contestant::candidate);
     // A study that was stopped has no rows, and nobody waits for them.
     let rows = accuracy(&metals, &candidates, &[space], progress).unwrap_or_default();
     let cells = rows.chunks_exact(candidates.len());
-    metals.into_iter().zip(cells).map(|(metal, cells)| TableRow { metal, cells: cells.to_vec() }).collect()
+    metals.into_iter().zip(cells).map(|(metal, cells)| TableRow { metal, cells: errors(cells) }).collect()
+}
+
+fn errors(rows: &[AccuracyRow]) -> Vec<CurveError> {
+    let error = |row: &AccuracyRow| CurveError {
+        mean_delta_e: row.mean_delta_e,
+        max_delta_e: row.max_delta_e,
+        angle_of_max_deg: row.angle_of_max_deg,
+        sphere_delta_e: row.sphere_delta_e,
+    };
+    rows.iter().map(error).collect()
 }
 
 fn sort(rows: &mut [TableRow], sorting: Sorting, measure: Measure) {
@@ -310,7 +441,7 @@ mod tests {
 
     #[test]
     fn the_table_sorts_by_any_column_both_ways() {
-        let mut rows = table_of(RgbSpace::LinRec709, &crate::study::no_progress);
+        let mut rows = table_of(&[], RgbSpace::LinRec709, &crate::study::no_progress);
         assert_eq!(rows.len(), preferred_metals().count());
         let values = |rows: &[TableRow], column: usize| -> Vec<f64> {
             rows.iter().map(|row| Measure::Max.of(&row.cells[column])).collect()

@@ -6,6 +6,7 @@
 
 mod app;
 mod command;
+mod comparisons;
 mod copying;
 mod demonstrations;
 mod document;
@@ -21,6 +22,7 @@ mod prompt;
 mod recovery;
 mod renderer;
 mod run;
+mod sheet;
 mod spheres;
 mod state;
 mod theme;

@@ -155,12 +155,13 @@ fn left_behind(ui: &mut Ui, left: &LeftBehind) -> Answer {
 fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) -> Answer {
     ui.set_width(theme::DIALOG_WIDTH);
     let (title, verb) = match purpose {
-        Purpose::Open => ("Open a preset or a photograph", "Open"),
-        Purpose::Save => ("Save the preset", "Save"),
-        Purpose::SavePiece(_) => ("Export the demonstration", "Export"),
-        Purpose::Library => ("Show a folder of presets", "Show"),
-        Purpose::Import => ("Import what another program wrote", "Import"),
-        Purpose::Export(target) => (target.label(), "Export"),
+        Purpose::Open => ("Open a preset or a photograph".to_owned(), "Open"),
+        Purpose::Save => ("Save the preset".to_owned(), "Save"),
+        Purpose::SavePiece(_) => ("Export the demonstration".to_owned(), "Export"),
+        Purpose::Library => ("Show a folder of presets".to_owned(), "Show"),
+        Purpose::Import => ("Import what another program wrote".to_owned(), "Import"),
+        Purpose::Export(target) => (target.label().to_owned(), "Export"),
+        Purpose::SaveSheet(kind) => (format!("Save the {} as .{}", kind.label(), kind.endings().join(" or .")), "Save"),
     };
     ui.heading(title);
     if let Some(reason) = reason {
@@ -186,6 +187,7 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
                 Purpose::Import => Action::Import(path),
                 // An export has a field for the path in its own dialog.
                 Purpose::Export(_) => return Answer::Cancel,
+                Purpose::SaveSheet(kind) => Action::SaveSheetTo(kind, path),
             });
         }
         if ui.button("Cancel").clicked() { Answer::Cancel } else { Answer::None }

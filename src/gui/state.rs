@@ -1,5 +1,8 @@
 //! Everything the window shows, and nothing of how it shows it.
 
+use std::collections::BTreeSet;
+
+use super::comparisons::{Comparison, Comparisons};
 use super::demonstrations::{DemonstrationsPage, Open};
 use super::document::Document;
 use super::library::LibraryPage;
@@ -27,6 +30,7 @@ pub struct State {
     /// What is typed in the field for the path of a photograph.
     pub(crate) path: String,
     pub(crate) truth: TruthCurves,
+    pub(crate) comparisons: Comparisons,
     pub(crate) spheres: Spheres,
     pub(crate) notices: Vec<Notice>,
 }
@@ -43,6 +47,7 @@ impl State {
             photograph: None,
             path: String::new(),
             truth: TruthCurves::default(),
+            comparisons: Comparisons::default(),
             spheres: Spheres::default(),
             notices: Vec::new(),
         }
@@ -109,8 +114,8 @@ impl Page {
 pub(crate) struct View {
     /// The measured metal beneath the preset.
     pub metal: Option<&'static Metal>,
-    /// Schlick's curve with the same r.
-    pub has_schlick: bool,
+    /// Other models of the preset.
+    pub comparisons: BTreeSet<Comparison>,
     /// Only 60–90°.
     pub is_grazing_only: bool,
     /// The angle under the pointer, for the read-out.
@@ -121,7 +126,13 @@ pub(crate) struct View {
 
 impl Default for View {
     fn default() -> Self {
-        Self { metal: None, has_schlick: false, is_grazing_only: false, cursor_deg: None, light: Light::PhotoStudio }
+        Self {
+            metal: None,
+            comparisons: BTreeSet::new(),
+            is_grazing_only: false,
+            cursor_deg: None,
+            light: Light::PhotoStudio,
+        }
     }
 }
 
@@ -139,4 +150,6 @@ pub(crate) enum NoticeKind {
     Error,
     /// Something a person should know.
     Warning,
+    /// Something asked for is done.
+    Done,
 }

@@ -401,6 +401,16 @@ pub(crate) fn contestant_line(index: usize) -> (LineStyle, f32) {
     (style, if index == 0 { CURVE - 0.4 } else { THIN_CURVE })
 }
 
+/// The look of another model of the preset, by its place in the legend.
+pub(crate) fn comparison_line(index: usize) -> LineStyle {
+    match index {
+        0 => LineStyle::Dotted { spacing: 4.0 },
+        1 => LineStyle::Dashed { length: 11.0 },
+        2 => LineStyle::Dashed { length: 3.0 },
+        _ => LineStyle::Dotted { spacing: 8.0 },
+    }
+}
+
 /// Words above a group of controls.
 pub(crate) fn title(text: impl Into<String>) -> RichText {
     RichText::new(text).font(FontId::new(12.5, semi_bold())).strong()

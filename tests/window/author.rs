@@ -1,6 +1,8 @@
 //! Editing r and h.
 
 use edgewise::color::{Rgb, RgbSpace, linear_from_srgb8};
+use edgewise::fit::{convert, nearest_conductor};
+use edgewise::fresnel::{CosTheta, FresnelModel, ModelKind, THETA_MAX_DEG};
 use edgewise::metal::metal_by_name;
 use edgewise::preset::Origin;
 use eframe::egui::{Key, Modifiers};
@@ -101,4 +103,34 @@ fn a_hue_survives_a_grey() {
     assert!(window.preset().r.max_abs_difference(Rgb::splat(window.preset().r[0])) < 1e-3);
     window.enter("r OKLCH chroma", &chroma.to_string());
     assert!(window.preset().r.max_abs_difference(before) < 1e-5);
+}
+
+/// Each model is a curve with its own line in the legend, its numbers and its ΔE in the read-out.
+#[test]
+fn other_models_of_the_preset_can_be_drawn_beneath_it() {
+    let mut window = Window::open(None);
+    window.command("New from metal");
+    window.type_text("gold");
+    window.press(Modifiers::NONE, Key::Enter);
+    let (r, h) = (window.preset().r, window.preset().h);
+    let preset = FresnelModel::Hoffman { r, h };
+    // The read-out is at 81.787° while the pointer is elsewhere, between two points of the curve half a degree apart.
+    let numbers = |model: FresnelModel| {
+        let [before, after] = [81.5, 82.0].map(|deg| model.reflectance(CosTheta::from_deg(deg)));
+        before.lerp(after, (THETA_MAX_DEG - 81.5) / 0.5).0.map(|v| format!("{v:>7.4}")).join(" ")
+    };
+    let space = RgbSpace::LinRec709;
+    let schlick = numbers(FresnelModel::Schlick { r });
+    let gulbrandsen = numbers(convert(&preset, ModelKind::Gulbrandsen, space).unwrap().model);
+    let conductor = numbers(nearest_conductor(&preset, space).unwrap());
+    for (name, numbers) in [("Schlick", &schlick), ("r, g", &gulbrandsen), ("n, k", &conductor)] {
+        assert!(!window.shows(numbers), "{name} is not drawn yet");
+        window.click(name);
+        assert!(window.shows(numbers), "{name}: {numbers}");
+    }
+    window.click("F82-tint");
+    // Gold's red r is above 1, which has no g, and which most programs cut off.
+    assert!(r[0] > 1.0 && window.shows("no n and k have r"));
+    window.click("n, k");
+    assert!(!window.shows(&conductor));
 }

@@ -5,13 +5,27 @@ use std::time::{Duration, Instant};
 
 use edgewise::gui::App;
 use edgewise::preset::Preset;
-use eframe::egui::{Event, Key, Modifiers, Pos2, Theme, accesskit::Role, vec2};
+use eframe::egui::{DroppedFile, Event, Key, Modifiers, Pos2, Theme, accesskit::Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 /// No job of these tests takes long by itself, but a machine may be busy with much else; one that does not end must
 /// not hang the tests.
 const PATIENCE: Duration = Duration::from_secs(600);
+
+/// A file as a file manager hands it over.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
 
 pub struct Window {
     pub harness: Harness<'static, App>,
@@ -90,6 +104,12 @@ impl Window {
         self.press(Modifiers::COMMAND, Key::A);
         self.type_text(text);
         self.press(Modifiers::NONE, Key::Enter);
+    }
+
+    /// Drops a file on the window.
+    pub fn drop_file(&mut self, path: &Path) {
+        self.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path.to_owned())));
+        self.settle();
     }
 
     /// Empties a field.

@@ -86,6 +86,26 @@ fn the_page_of_metals() {
     let mut window = Window::for_picture(Theme::Light);
     window.press(Modifiers::COMMAND, Key::Num2);
     window.picture("metals");
+    window.click("Spheres");
+    window.picture("metals_spheres");
+    window.click("All metals");
+    window.click("Sort by Schlick");
+    window.click("Sort by Schlick");
+    window.picture("metals_table");
+}
+
+#[test]
+fn other_models_beneath_the_preset() {
+    for (theme, name) in [(Theme::Dark, "compared"), (Theme::Light, "compared_light")] {
+        let mut window = Window::for_picture(theme);
+        window.command("New from metal");
+        window.type_text("chromium");
+        window.press(Modifiers::NONE, Key::Enter);
+        for model in ["Schlick", "F82-tint", "r, g", "n, k"] {
+            window.click(model);
+        }
+        window.picture(name);
+    }
 }
 
 #[test]

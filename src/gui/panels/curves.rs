@@ -2,12 +2,13 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Grid, RichText, Ui};
+use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui};
 use egui_plot::LineStyle;
 
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{CosTheta, FresnelModel, THETA_MAX_DEG, Weights};
 use crate::gui::command::{Action, Command};
+use crate::gui::comparisons::{Asked, Compared, Comparison};
 use crate::gui::panels::spheres;
 use crate::gui::state::State;
 use crate::gui::theme;
@@ -17,8 +18,6 @@ use crate::preset::{Origin, Preset};
 
 /// Dashes of the measured truth.
 const TRUTH: LineStyle = LineStyle::Dashed { length: 6.0 };
-/// Dots of Schlick's curve.
-const SCHLICK: LineStyle = LineStyle::Dotted { spacing: 4.0 };
 
 /// Shows the plot with its legend, strips and read-out.
 pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
@@ -26,12 +25,10 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     let space = state.document.space();
     let model = state.document.preset.model();
     let curve = sample(&model);
-    let schlick = state.view.has_schlick.then(|| sample(&FresnelModel::Schlick { r: state.document.preset.r }));
+    let asked = Asked { model, space, which: state.view.comparisons.clone() };
+    let compared = state.comparisons.curves(ui.ctx(), &asked);
     let truth = state.view.metal.map(|metal| state.truth.curve(metal, space).clone());
-    let mut lines = Vec::new();
-    if let Some(curve) = &schlick {
-        lines.push(PlotLine { name: "Schlick", curve, style: SCHLICK, width: theme::THIN_CURVE, opacity: 0.9 });
-    }
+    let mut lines: Vec<PlotLine<'_>> = compared.iter().filter(|other| !other.curve.is_empty()).map(line_of).collect();
     if let Some(curve) = &truth {
         lines.push(PlotLine { name: "truth", curve, style: TRUTH, width: theme::THIN_CURVE, opacity: 0.95 });
     }
@@ -44,7 +41,9 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         Handle { angle_deg: THETA_MAX_DEG, name: "h, at 81.8°", value: preset.h },
     ];
     let strips = if truth.is_some() { 2.0 } else { 1.0 };
-    let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + spheres::HEIGHT + theme::GROUP_GAP;
+    // Room for the rows that are asked for, not for those that have come: nothing jumps when they do.
+    let rows = asked.which.len() as f32 * READ_OUT_ROW;
+    let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + rows + spheres::HEIGHT + theme::GROUP_GAP;
     let plot = CurvePlot {
         lines: &lines,
         band: band.as_ref().map(|(low, high)| (low.as_slice(), high.as_slice())),
@@ -59,7 +58,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         cursor_deg = cursor_deg.or(strip(ui, output.frame, "truth", curve, space, &range_deg));
     }
     cursor_deg = cursor_deg.or(strip(ui, output.frame, "r, h", &curve, space, &range_deg));
-    read_out(ui, cursor_deg, &curve, truth.as_deref(), space);
+    read_out(ui, cursor_deg, &ReadOut { preset: &curve, truth: truth.as_deref(), compared: &compared, space });
     keep_cursor(ui, state, cursor_deg, &range_deg);
     spheres::show(ui, state);
     if let Some((index, value)) = output.dragged {
@@ -69,8 +68,24 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     }
 }
 
-/// Height of the numbers below the strips.
+/// Height of the numbers of preset and truth below the strips.
 const READ_OUT: f32 = 58.0;
+/// Height of each further row.
+const READ_OUT_ROW: f32 = 17.0;
+
+fn line_of(other: &Compared) -> PlotLine<'_> {
+    PlotLine {
+        name: other.which.name(),
+        curve: &other.curve,
+        style: style_of(other.which),
+        width: theme::THIN_CURVE,
+        opacity: 0.9,
+    }
+}
+
+fn style_of(which: Comparison) -> LineStyle {
+    theme::comparison_line(which as usize)
+}
 
 /// The curve of a model at the angles of the plot.
 pub(crate) fn sample(model: &FresnelModel) -> Vec<Rgb> {
@@ -103,21 +118,40 @@ fn keep_cursor(ui: &Ui, state: &mut State, cursor_deg: Option<f64>, range_deg: &
 fn legend(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         ui.label(theme::title("Reflectance over the angle"));
-        ui.add_space(theme::GAP);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let mut is_grazing_only = state.view.is_grazing_only;
+            if ui.checkbox(&mut is_grazing_only, "60–90°").on_hover_text(Command::ToggleGrazing.tooltip()).changed()
+            {
+                actions.push(Command::ToggleGrazing.into());
+            }
+        });
+    });
+    ui.horizontal_wrapped(|ui| {
         line_sample(ui, LineStyle::Solid, theme::CURVE, 1.0);
         ui.label("preset");
         ui.add_space(theme::GAP);
         line_sample(ui, TRUTH, theme::THIN_CURVE, 1.0);
         truth_menu(ui, state, actions);
-        ui.add_space(theme::GAP);
-        line_sample(ui, SCHLICK, theme::THIN_CURVE, 1.0);
-        ui.checkbox(&mut state.view.has_schlick, "Schlick").on_hover_text("Schlick's curve with the same r");
-        ui.add_space(theme::GAP);
-        let mut is_grazing_only = state.view.is_grazing_only;
-        if ui.checkbox(&mut is_grazing_only, "60–90°").on_hover_text(Command::ToggleGrazing.tooltip()).changed() {
-            actions.push(Command::ToggleGrazing.into());
+        for which in Comparison::ALL {
+            ui.add_space(theme::GAP);
+            comparison(ui, state, which);
         }
     });
+}
+
+/// A model that can be drawn beneath the preset, with the look of its line.
+fn comparison(ui: &mut Ui, state: &mut State, which: Comparison) {
+    let mut is_drawn = state.view.comparisons.contains(&which);
+    line_sample(ui, style_of(which), theme::THIN_CURVE, 1.0);
+    let response = ui.checkbox(&mut is_drawn, which.name()).on_hover_text(which.what());
+    if response.changed() {
+        let drawn = &mut state.view.comparisons;
+        if is_drawn {
+            drawn.insert(which)
+        } else {
+            drawn.remove(&which)
+        };
+    }
 }
 
 fn truth_menu(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
@@ -128,25 +162,53 @@ fn truth_menu(ui: &mut Ui, state: &State, actions: &mut Vec<Action>) {
     }
 }
 
+/// The curves whose numbers are shown.
+struct ReadOut<'a> {
+    preset: &'a [Rgb],
+    truth: Option<&'a [Rgb]>,
+    compared: &'a [Compared],
+    space: RgbSpace,
+}
+
+impl ReadOut<'_> {
+    /// ΔE to the truth, or to the preset where there is none.
+    fn difference(&self, curve: &[Rgb], angle_deg: f64) -> String {
+        let (reference, name) = self.truth.map_or((self.preset, "preset"), |truth| (truth, "truth"));
+        let delta_e = delta_e_rgb(at_angle(curve, angle_deg), at_angle(reference, angle_deg), self.space);
+        format!("ΔE {delta_e:.2} to {name}")
+    }
+}
+
 /// Numbers at the angle under the pointer, or at θ_max while there is none.
-fn read_out(ui: &mut Ui, cursor_deg: Option<f64>, curve: &[Rgb], truth: Option<&[Rgb]>, space: RgbSpace) {
+fn read_out(ui: &mut Ui, cursor_deg: Option<f64>, curves: &ReadOut) {
     let angle_deg = cursor_deg.unwrap_or(THETA_MAX_DEG);
-    let words = |rgb: Rgb| rgb.0.map(|v| format!("{v:>7.4}")).join(" ");
-    let ours = at_angle(curve, angle_deg);
+    let words = |curve: &[Rgb]| at_angle(curve, angle_deg).0.map(|v| format!("{v:>7.4}")).join(" ");
     ui.add_space(theme::GAP);
-    Grid::new("read-out").num_columns(4).spacing([theme::GROUP_GAP, 3.0]).show(ui, |ui| {
+    Grid::new("read-out").num_columns(5).spacing([theme::GROUP_GAP, 3.0]).show(ui, |ui| {
         ui.label(theme::number(format!("{angle_deg:5.1}°")).strong());
         ui.label(theme::hint("preset"));
-        ui.label(theme::number(words(ours)));
-        ui.label(theme::hint(space.label()));
+        ui.label(theme::number(words(curves.preset)));
+        let difference = curves.truth.map_or_else(String::new, |_| curves.difference(curves.preset, angle_deg));
+        ui.label(RichText::new(difference).small());
+        ui.label(theme::hint(curves.space.label()));
         ui.end_row();
-        if let Some(truth) = truth {
-            let theirs = at_angle(truth, angle_deg);
+        if let Some(truth) = curves.truth {
             ui.label("");
             ui.label(theme::hint("truth"));
-            ui.label(theme::number(words(theirs)));
-            let difference = delta_e_rgb(ours, theirs, space);
-            ui.label(RichText::new(format!("ΔE {difference:.2}")).small());
+            ui.label(theme::number(words(truth)));
+            ui.end_row();
+        }
+        for other in curves.compared {
+            ui.label("");
+            ui.label(theme::hint(other.which.name()));
+            if other.curve.is_empty() {
+                ui.label(theme::hint("none"));
+                ui.label("");
+            } else {
+                ui.label(theme::number(words(&other.curve)));
+                ui.label(RichText::new(curves.difference(&other.curve, angle_deg)).small());
+            }
+            ui.add(Label::new(theme::hint(&other.losses)).truncate()).on_hover_text(&other.losses);
             ui.end_row();
         }
     });

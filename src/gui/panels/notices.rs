@@ -13,6 +13,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State) {
         let (word, colour) = match notice.kind {
             NoticeKind::Error => ("Error", palette.error),
             NoticeKind::Warning => ("Note", palette.warning),
+            NoticeKind::Done => ("Done", palette.good),
         };
         Frame::new().inner_margin(Margin::symmetric(4, 2)).show(ui, |ui| {
             ui.horizontal(|ui| {

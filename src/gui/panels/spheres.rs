@@ -45,21 +45,26 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State) {
 fn header(ui: &mut Ui, state: &mut State) {
     ui.horizontal(|ui| {
         ui.label(theme::title("Sphere"));
-        ComboBox::from_id_salt("light")
-            .selected_text(state.view.light.label())
-            .show_ui(ui, |ui| {
-                for light in Light::ALL {
-                    ui.selectable_value(&mut state.view.light, light, light.label());
-                }
-            })
-            .response
-            .on_hover_text("The light around the sphere")
-            .accessible_name("Light around the sphere");
+        light_chooser(ui, &mut state.view.light);
         if let Some((_, _, difference)) = state.spheres.shown().and_then(|shown| shown.truth.as_ref()) {
             let words = format!("preset to truth: mean ΔE {:.2}, at most {:.2}", difference.mean, difference.max);
             ui.label(theme::hint(words));
         }
     });
+}
+
+/// The lights to choose from.
+pub(crate) fn light_chooser(ui: &mut Ui, light: &mut Light) {
+    ComboBox::from_id_salt("light")
+        .selected_text(light.label())
+        .show_ui(ui, |ui| {
+            for choice in Light::ALL {
+                ui.selectable_value(light, choice, choice.label());
+            }
+        })
+        .response
+        .on_hover_text("The light around the sphere")
+        .accessible_name("Light around the sphere");
 }
 
 fn picture(ui: &mut Ui, texture: &TextureHandle, size: f32, caption: &str) {
@@ -70,7 +75,7 @@ fn picture(ui: &mut Ui, texture: &TextureHandle, size: f32, caption: &str) {
 }
 
 /// The colours of the map from 0 to its full scale, with both ends named.
-fn scale(ui: &mut Ui, width: f32, difference: Difference) {
+pub(crate) fn scale(ui: &mut Ui, width: f32, difference: Difference) {
     let (row, _) = ui.allocate_exact_size(Vec2::new(width, 14.0), Sense::hover());
     let bar = Rect::from_center_size(row.center(), Vec2::new(width * 0.5, 6.0));
     const STEPS: u8 = 32;

@@ -69,13 +69,15 @@ fn data_sets(ui: &mut Ui, page: &mut MetalsPage) {
     ui.label(theme::hint("Published measurements differ; ΔE of r and h to the preferred one"));
     let colours = library_colours(page.space);
     let (r, h) = colours[preferred];
-    Grid::new("data sets").num_columns(4).spacing([8.0, 3.0]).show(ui, |ui| {
+    Grid::new("data sets").num_columns(5).spacing([8.0, 3.0]).show(ui, |ui| {
         for (index, metal) in sets {
             let name = format!("{}, {}", metal.dataset, metal.provenance.year);
             let button = Button::selectable(metal.id == page.metal.id, name)
                 .right_text("")
                 .min_size(Vec2::new(150.0, theme::ROW));
-            if ui.add(button.truncate()).on_hover_text(metal.provenance.citation()).clicked() {
+            let what = [metal.provenance.citation(), metal.not_measured.clone()];
+            let what = what.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
+            if ui.add(button.truncate()).on_hover_text(what).clicked() {
                 page.metal = metal;
             }
             ui.horizontal(|ui| {
@@ -86,6 +88,7 @@ fn data_sets(ui: &mut Ui, page: &mut MetalsPage) {
                 |theirs: Rgb, ours: Rgb| theme::number(format!("{:.1}", delta_e_rgb(theirs, ours, page.space)));
             ui.label(differs(colours[index].0, r));
             ui.label(differs(colours[index].1, h));
+            ui.label(theme::hint(if metal.is_measured() { "" } else { "not measured" }));
             ui.end_row();
         }
     });
@@ -94,7 +97,7 @@ fn data_sets(ui: &mut Ui, page: &mut MetalsPage) {
 fn provenance(ui: &mut Ui, metal: &Metal) {
     ui.label(theme::title("Where the data come from"));
     let source = &metal.provenance;
-    let held = metal.held_ends().sentence();
+    let remarks = metal.remarks().join(" ");
     let address = if source.doi.is_empty() { source.url.clone() } else { format!("https://doi.org/{}", source.doi) };
     let range = if source.range_nm.is_empty() { String::new() } else { format!("{} nm", source.range_nm) };
     let rows = [
@@ -103,7 +106,7 @@ fn provenance(ui: &mut Ui, metal: &Metal) {
         ("Title", &source.title),
         ("Published", &source.reference),
         ("Range", &range),
-        ("Held", &held),
+        ("Remarks", &remarks),
         ("Notes", &source.comments),
         ("Licence", &source.licence),
     ];

@@ -3,15 +3,18 @@
 use eframe::egui::{Align, Button, ComboBox, Label, Layout, RichText, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::color::RgbSpace;
+use super::{saving, views};
+use crate::fit::CurveError;
+use crate::gui::command::Action;
 use crate::gui::metals::{CONTESTANTS, Measure, MetalsPage, Sorting};
+use crate::gui::sheet::SheetKind;
 use crate::gui::theme;
 
 /// Shows the table.
-pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage) {
+pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         ui.heading("Accuracy of every model");
-        view_switch(ui, page);
+        views(ui, page);
     });
     ui.horizontal(|ui| {
         ui.label(theme::hint("CIEDE2000 to the spectral truth."));
@@ -25,9 +28,11 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage) {
             .response
             .on_hover_text("What the cells show")
             .accessible_name("What the cells show");
+        let what = "Every metal against every model by the mean over 0–90°, as .svg or .png";
+        saving(ui, &[(SheetKind::Table, "Save table…")], what, actions);
     });
     let (sorting, measure, selected) = (page.sorting, page.measure, page.metal.id.clone());
-    let Some(rows) = page.table(ui.ctx()).map(<[_]>::to_vec) else {
+    let Some(rows) = page.table(ui.ctx()) else {
         ui.label(theme::hint("Measuring"));
         return;
     };
@@ -53,7 +58,7 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage) {
             });
             for cell in &entry.cells {
                 row.col(|ui| {
-                    value(ui, measure.of(cell));
+                    value(ui, measure, cell);
                 });
             }
             if row.response().clicked() {
@@ -71,45 +76,32 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage) {
 
 const CELL_WIDTH: f32 = 62.0;
 
-/// A heading that sorts; gives its column when it was clicked.
+/// A heading that sorts, over the edge of its values that lines up; gives its column when it was clicked.
 fn heading(ui: &mut Ui, name: &str, what: &str, sorting: Sorting, column: Option<usize>) -> Option<Option<usize>> {
-    let is_sorted = sorting.column == column;
-    let arrow = match (is_sorted, sorting.is_descending) {
+    let arrow = match (sorting.column == column, sorting.is_descending) {
         (false, _) => "",
-        (true, false) => " ▲",
-        (true, true) => " ▼",
+        (true, false) => "▲ ",
+        (true, true) => "▼ ",
     };
-    let text = RichText::new(format!("{name}{arrow}")).small();
-    let button = ui.add(Button::new(text).frame(false).wrap());
-    button
-        .on_hover_text(format!("{what}. Click to sort"))
-        .accessible_name(format!("Sort by {name}"))
-        .clicked()
-        .then_some(column)
-}
-
-fn value(ui: &mut Ui, delta_e: f64) {
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        let words = theme::number(format!("{delta_e:.2}"));
-        // Just noticeable is about 1: what is above stands out, what is below steps back.
-        ui.label(if delta_e < 1.0 { words.weak() } else { words });
+    let text = RichText::new(format!("{arrow}{name}")).small();
+    let align = if column.is_none() { Align::LEFT } else { Align::RIGHT };
+    let button = ui.with_layout(Layout::top_down(align), |ui| {
+        ui.spacing_mut().button_padding.x = 0.0;
+        ui.add(Button::new(text).frame(false).wrap())
     });
+    let button = button.inner.on_hover_text(format!("{what}. Click to sort"));
+    button.accessible_name(format!("Sort by {name}")).clicked().then_some(column)
 }
 
-/// Curves or table, and the space of both.
-pub(crate) fn view_switch(ui: &mut Ui, page: &mut MetalsPage) {
+fn value(ui: &mut Ui, measure: Measure, error: &CurveError) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        ComboBox::from_id_salt("space of metals")
-            .selected_text(page.space.label())
-            .show_ui(ui, |ui| {
-                for space in RgbSpace::ALL {
-                    ui.selectable_value(&mut page.space, space, space.label());
-                }
-            })
-            .response
-            .on_hover_text("The space of the models and of the differences")
-            .accessible_name("Space of the comparison");
-        ui.selectable_value(&mut page.is_table, true, "All metals").on_hover_text("A table of every metal and model");
-        ui.selectable_value(&mut page.is_table, false, "Curves").on_hover_text("Models over the truth of this metal");
+        let value = measure.of(error);
+        if measure == Measure::Angle {
+            ui.label(theme::number(format!("{value:.0}°")));
+            return;
+        }
+        let words = theme::number(format!("{value:.2}"));
+        // Just noticeable is about 1: what is above stands out, what is below steps back.
+        ui.label(if value < 1.0 { words.weak() } else { words });
     });
 }
