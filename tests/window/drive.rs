@@ -79,6 +79,12 @@ impl Window {
         self.settle();
     }
 
+    /// Clicks a checkbox, where a number or a legend may have the same name.
+    pub fn tick(&mut self, name: &str) {
+        self.harness.get_by_role_and_label(Role::CheckBox, name).click();
+        self.settle();
+    }
+
     pub fn press(&mut self, modifiers: Modifiers, key: Key) {
         self.harness.key_press_modifiers(modifiers, key);
         self.settle();

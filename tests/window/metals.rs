@@ -38,7 +38,7 @@ fn a_preset_starts_from_a_metal_with_its_source() {
 fn a_model_can_be_drawn_and_its_error_read() {
     let mut window = open_metals();
     assert!(window.shows("Olmon"), "where the data come from");
-    window.click("n, k weighted");
+    window.tick("n, k weighted");
     let metal = metal_by_name("gold").unwrap();
     let fit = fit(metal, ModelKind::Conductor, Method::ColourMatching, RgbSpace::LinRec709).unwrap();
     assert!(window.shows(&format!("mean ΔE {:5.2}", fit.error.mean_delta_e)));
@@ -49,9 +49,9 @@ fn a_model_can_be_drawn_and_its_error_read() {
 fn other_measurements_are_drawn_with_their_distance() {
     let mut window = open_metals();
     assert!(window.shows("median of 8 others"), "gold has nine sets");
-    window.click("measurements");
+    window.tick("measurements");
     assert!(!window.shows("median of 8 others"));
-    window.click("measurements");
+    window.tick("measurements");
     window.enter("Search metals", "iron");
     window.click("Iron");
     assert!(window.shows("the other to this one"), "a calculation is no measurement");
@@ -62,11 +62,10 @@ fn other_measurements_are_drawn_with_their_distance() {
 fn the_table_sorts_and_chooses() {
     let mut window = open_metals();
     window.click("All metals");
-    // Buttons of these names stand in the library; the table has labels.
-    let top = |window: &Window, name: &str| window.harness.get_by_role_and_label(Role::Label, name).rect().top();
+    let top = |window: &Window, name: &str| window.harness.get_by_label(&format!("{name} in the table")).rect().top();
     assert!(top(&window, "Aluminium") < top(&window, "Beryllium"), "by name");
     window.click("Sort by Metal");
-    assert!(window.harness.query_by_role_and_label(Role::Label, "Aluminium").is_none(), "out of sight at the end");
+    assert!(!window.shows("Aluminium in the table"), "out of sight at the end");
     for (column, method) in [("r, h", Method::Exact), ("Lazányi", Method::LeastSquares)] {
         let kind = if column == "r, h" { ModelKind::Hoffman } else { ModelKind::Lazanyi };
         let mean = |name: &str| {
@@ -79,8 +78,7 @@ fn the_table_sorts_and_chooses() {
         let tops = worst.map(|name| top(&window, name));
         assert!(tops.is_sorted(), "{column}: {worst:?} at {tops:?}");
     }
-    window.harness.get_by_role_and_label(Role::Label, "Zinc").click();
-    window.settle();
+    window.click("Zinc in the table");
     window.click("Curves");
     assert!(window.shows("Querry 1985"), "the metal that was clicked is on show");
     assert!(window.shows("k reaches"), "and what is odd about its data");
@@ -140,7 +138,7 @@ fn spheres_show_the_truth_the_model_and_how_far_apart_they_are() {
     window.click("Spheres");
     let mean = |window: &Window| {
         let found = window.harness.query_all_by_label_contains("mean ΔE").next().expect("the difference");
-        let words = found.accesskit_node().label().unwrap_or_default();
+        let words = found.accesskit_node().value().unwrap_or_default();
         words.split_whitespace().nth(2).unwrap().trim_end_matches(',').parse::<f64>().unwrap()
     };
     let hoffman = mean(&window);
@@ -166,7 +164,7 @@ fn a_dropped_file_of_n_and_k_joins_the_library() {
     assert_eq!(window.harness.state().state().page, Page::Metals);
     assert!(window.shows("dropped") && window.shows("The data cover 400–700 nm"));
     window.click("All metals");
-    assert!(window.harness.query_by_role_and_label(Role::Label, "dropped").is_some(), "also in the table");
+    assert!(window.shows("dropped in the table"));
 }
 
 #[test]

@@ -102,7 +102,7 @@ fn other_models_beneath_the_preset() {
         window.type_text("chromium");
         window.press(Modifiers::NONE, Key::Enter);
         for model in ["Schlick", "F82-tint", "r, g", "n, k"] {
-            window.click(model);
+            window.tick(model);
         }
         window.picture(name);
     }

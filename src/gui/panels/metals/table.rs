@@ -1,6 +1,6 @@
 //! Every metal against every model, sortable by any column.
 
-use eframe::egui::{Align, Button, ComboBox, Label, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, ComboBox, Layout, RichText, Ui};
 use egui_extras::{Column, TableBuilder};
 
 use super::{saving, views};
@@ -54,7 +54,12 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>
             let entry = &rows[row.index()];
             row.set_selected(entry.metal.id == selected);
             row.col(|ui| {
-                ui.add(Label::new(&entry.metal.name).truncate().selectable(false));
+                let name = &entry.metal.name;
+                ui.spacing_mut().button_padding.x = 0.0;
+                let button = ui.add(Button::new(name).frame(false).truncate());
+                if button.accessible_name(format!("{name} in the table")).clicked() {
+                    chosen = Some(entry.metal);
+                }
             });
             for cell in &entry.cells {
                 row.col(|ui| {
