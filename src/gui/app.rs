@@ -40,7 +40,7 @@ pub struct App {
     /// What the system's dialog is asked to find a place for.
     choosing: Option<Asked>,
     writing: Option<Job<Writing, Result<String, Failure>>>,
-    saving_sheet: Option<Job<(Sheet, PathBuf), Result<Option<String>, String>>>,
+    saving_sheet: Option<Job<SavingSheet, SheetSaved>>,
     /// What was asked before the preset had to be saved.
     after_saving: Option<Action>,
     may_close: bool,
@@ -55,6 +55,15 @@ struct Saving {
     preset: Preset,
     path: PathBuf,
 }
+
+#[derive(Clone)]
+struct SavingSheet {
+    sheet: Sheet,
+    path: PathBuf,
+}
+
+/// What a person should know about a file that was written, or why there is none.
+type SheetSaved = Result<Option<String>, String>;
 
 impl App {
     /// A window on a new preset, or on the file at `path`.
@@ -459,14 +468,14 @@ impl App {
     }
 
     fn save_sheet(&mut self, ctx: &Context, kind: SheetKind, path: PathBuf) {
-        let sheet = Sheet::of(&self.state.metals, kind, figure_theme(ctx));
-        let job = Job::start(ctx, "save sheet", (sheet, path), |(sheet, path), progress| sheet.write(&path, progress));
+        let saving = SavingSheet { sheet: Sheet::of(&self.state.metals, kind, figure_theme(ctx)), path };
+        let job = Job::start(ctx, "save sheet", saving, |saving, progress| saving.sheet.write(&saving.path, progress));
         self.saving_sheet = self.started(job);
     }
 
     fn poll_sheet(&mut self) {
         let Some(job) = self.saving_sheet.take() else { return };
-        let path = &job.input.1;
+        let path = &job.input.path;
         match job.poll() {
             Poll::Working => self.saving_sheet = Some(job),
             Poll::Done(Ok(remark)) => {

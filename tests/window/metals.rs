@@ -80,7 +80,7 @@ fn the_table_sorts_and_chooses() {
     }
     window.click("Zinc in the table");
     window.click("Curves");
-    assert!(window.shows("Querry 1985"), "the metal that was clicked is on show");
+    assert!(window.shows("Querry 1987"), "the metal that was clicked is on show");
     assert!(window.shows("k reaches"), "and what is odd about its data");
 }
 
@@ -156,15 +156,15 @@ fn spheres_show_the_truth_the_model_and_how_far_apart_they_are() {
 #[test]
 fn a_dropped_file_of_n_and_k_joins_the_library() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("dropped.csv");
+    let path = folder.path().join("A dropped one.csv");
     let rows: String = (400..=700).step_by(50).map(|nm| format!("{nm},0.2,3.4\n")).collect();
     fs::write(&path, format!("wavelength_nm,n,k\n{rows}")).unwrap();
     let mut window = Window::open(None);
     window.drop_file(&path);
     assert_eq!(window.harness.state().state().page, Page::Metals);
-    assert!(window.shows("dropped") && window.shows("The data cover 400–700 nm"));
+    assert!(window.shows("A dropped one") && window.shows("The data cover 400–700 nm"));
     window.click("All metals");
-    assert!(window.shows("dropped in the table"));
+    assert!(window.shows("A dropped one in the table"));
 }
 
 #[test]
