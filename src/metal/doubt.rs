@@ -96,7 +96,7 @@ mod tests {
         NkTable::new((0..9).map(|i| (380.0 + 50.0 * i as f64, n(i), k(i)))).unwrap()
     }
 
-    /// Zinc's k reaches 13.9, which is told; no published set of the library looks like a slip of the pen.
+    /// Zinc's n reaches 13.9, which is told; no published set of the library looks like a slip of the pen.
     #[test]
     fn of_the_library_only_zinc_is_odd() {
         let odd: Vec<&str> =

@@ -81,7 +81,7 @@ fn the_table_sorts_and_chooses() {
     window.click("Zinc in the table");
     window.click("Curves");
     assert!(window.shows("Querry 1987"), "the metal that was clicked is on show");
-    assert!(window.shows("k reaches"), "and what is odd about its data");
+    assert!(window.shows("n reaches 13.908"), "and what is odd about its data");
 }
 
 /// The system's dialog is missing here, so the path is typed.
