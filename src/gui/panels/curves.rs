@@ -71,7 +71,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
 /// Height of the numbers of preset and truth below the strips.
 const READ_OUT: f32 = 58.0;
 /// Height of each further row.
-const READ_OUT_ROW: f32 = 17.0;
+const READ_OUT_ROW: f32 = theme::ROW + 3.0;
 
 fn line_of(other: &Compared) -> PlotLine<'_> {
     PlotLine {
@@ -133,11 +133,17 @@ fn legend(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         line_sample(ui, TRUTH, theme::THIN_CURVE, 1.0);
         truth_menu(ui, state, actions);
         for which in Comparison::ALL {
-            ui.add_space(theme::GAP);
+            // A line and its name stay together.
+            if ui.available_size_before_wrap().x < COMPARISON_WIDTH {
+                ui.end_row();
+            }
             comparison(ui, state, which);
         }
     });
 }
+
+/// Room for the longest name with its line and box.
+const COMPARISON_WIDTH: f32 = 106.0;
 
 /// A model that can be drawn beneath the preset, with the look of its line.
 fn comparison(ui: &mut Ui, state: &mut State, which: Comparison) {

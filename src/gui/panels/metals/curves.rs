@@ -1,8 +1,9 @@
 //! The truth of a metal, models over it, and how far they are from it at each angle.
 
-use eframe::egui::{Checkbox, Grid, Label, Ui};
+use eframe::egui::{Checkbox, Grid, Label, ScrollArea, Ui};
 
 use super::{heading, saving};
+use crate::color::RgbSpace;
 use crate::gui::command::Action;
 use crate::gui::metals::{CONTESTANTS, Curves, Fitted, MetalsPage, Spread, other_measurements};
 use crate::gui::sheet::SheetKind;
@@ -22,13 +23,24 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>
         return;
     };
     curves.fitted.retain(|fitted| drawn.contains(&fitted.contestant));
+    // With every model drawn there is more than fits.
+    let shown = ScrollArea::vertical().auto_shrink(false).show(ui, |ui| plots(ui, &curves, space, cursor));
+    let cursor_deg = shown.inner;
+    if page.cursor_deg != cursor_deg {
+        page.cursor_deg = cursor_deg;
+        ui.ctx().request_repaint();
+    }
+}
+
+/// Reflectance, strips, differences and numbers; gives the angle under the pointer.
+fn plots(ui: &mut Ui, curves: &Curves, space: RgbSpace, cursor: Option<f64>) -> Option<f64> {
     let plot = CurvePlot {
-        lines: &lines(&curves),
+        lines: &lines(curves),
         band: curves.spread.as_ref().map(|spread| (spread.low.as_slice(), spread.high.as_slice())),
         handles: &[],
         range_deg: RANGE_DEG,
         cursor_deg: cursor,
-        height: plot_height(ui, &curves),
+        height: plot_height(ui, curves),
     };
     let output = plot.show(ui);
     let mut cursor_deg = output.cursor_deg.or(strip(ui, output.frame, "truth", &curves.truth, space, &RANGE_DEG));
@@ -36,20 +48,19 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>
         let name = CONTESTANTS[fitted.contestant].name;
         cursor_deg = cursor_deg.or(strip(ui, output.frame, name, &fitted.curve, space, &RANGE_DEG));
     }
-    cursor_deg = cursor_deg.or(difference_plot(ui, &differences(ui, &curves), RANGE_DEG, cursor, DIFFERENCE_HEIGHT));
-    numbers(ui, &curves, cursor_deg);
-    if page.cursor_deg != cursor_deg {
-        page.cursor_deg = cursor_deg;
-        ui.ctx().request_repaint();
-    }
+    cursor_deg = cursor_deg.or(difference_plot(ui, &differences(ui, curves), RANGE_DEG, cursor, DIFFERENCE_HEIGHT));
+    numbers(ui, curves, cursor_deg);
+    cursor_deg
 }
 
 const DIFFERENCE_HEIGHT: f32 = 128.0;
+/// Height of a row of numbers.
+const NUMBER_ROW: f32 = theme::ROW + 2.0;
 
 fn plot_height(ui: &Ui, curves: &Curves) -> f32 {
     let models = curves.fitted.len() as f32;
     let strips = (models + 1.0) * (theme::STRIP + theme::GAP);
-    let numbers = (models + if curves.spread.is_some() { 2.0 } else { 1.0 }) * 18.0;
+    let numbers = (models + if curves.spread.is_some() { 2.0 } else { 1.0 }) * NUMBER_ROW;
     (ui.available_height() - strips - DIFFERENCE_HEIGHT - numbers - theme::GROUP_GAP).max(140.0)
 }
 

@@ -69,7 +69,7 @@ fn data_sets(ui: &mut Ui, page: &mut MetalsPage) {
     ui.label(theme::hint("Published measurements differ; ΔE of r and h to the preferred one"));
     let colours = library_colours(page.space);
     let (r, h) = colours[preferred];
-    Grid::new("data sets").num_columns(5).spacing([8.0, 3.0]).show(ui, |ui| {
+    Grid::new("data sets").num_columns(4).spacing([8.0, 3.0]).show(ui, |ui| {
         for (index, metal) in sets {
             let name = format!("{}, {}", metal.dataset, metal.provenance.year);
             let button = Button::selectable(metal.id == page.metal.id, name)
@@ -88,10 +88,12 @@ fn data_sets(ui: &mut Ui, page: &mut MetalsPage) {
                 |theirs: Rgb, ours: Rgb| theme::number(format!("{:.1}", delta_e_rgb(theirs, ours, page.space)));
             ui.label(differs(colours[index].0, r));
             ui.label(differs(colours[index].1, h));
-            ui.label(theme::hint(if metal.is_measured() { "" } else { "not measured" }));
             ui.end_row();
         }
     });
+    for metal in metals().iter().filter(|metal| metal.name == page.metal.name && !metal.is_measured()) {
+        ui.add(Label::new(theme::hint(format!("{} is not measured: {}", metal.dataset, metal.not_measured))).wrap());
+    }
 }
 
 fn provenance(ui: &mut Ui, metal: &Metal) {

@@ -108,5 +108,4 @@ fn wiped(ui: &mut Ui, [truth, model]: [&TextureHandle; 2], side: f32, wipe: &mut
     paint(model, edge..=rect.right(), *wipe..=1.0);
     let guide = Palette::of(ui).guide;
     ui.painter().line_segment([pos2(edge, rect.top()), pos2(edge, rect.bottom())], Stroke::new(1.0, guide));
-    ui.painter().circle_filled(pos2(edge, rect.bottom()), theme::HANDLE_RADIUS, guide);
 }
