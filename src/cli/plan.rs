@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::arguments;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
-use super::study::{BAR_STEPS, progress_bar};
+use super::progress::Progress;
 use crate::color::RgbSpace;
 use crate::file::read_text;
 use crate::fresnel::h_of_schlick;
@@ -119,14 +119,8 @@ impl PlanCommand {
             target: self.target,
             costs: Costs::counted(),
         };
-        let bar = progress_bar("Planning");
-        let progress = |share: f32| {
-            bar.set_position((share * BAR_STEPS as f32) as u64);
-            ControlFlow::Continue(())
-        };
-        let plan = plan_scene(materials, scene, &options, &progress)?;
-        bar.finish_and_clear();
-        Ok(plan)
+        let progress = Progress::new("Planning");
+        Ok(plan_scene(materials, scene, &options, &|share| progress.report(share))?)
     }
 
     fn sources(&self, warnings: &mut Vec<String>) -> anyhow::Result<Vec<(Source, Where)>> {
