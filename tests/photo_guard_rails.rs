@@ -2,10 +2,10 @@
 
 mod studio;
 
-use edgewise::color::RgbSpace;
-use edgewise::photo::{Card, Circle, MatchRequest, WarningCode, solve};
+use edgewise::color::{Rgb, RgbSpace};
+use edgewise::photo::{Card, Circle, MatchRequest, Photo, Warning, WarningCode, solve};
 use edgewise::sample::{Camera, Tent};
-use studio::{Stored, Studio, codes, largest_error};
+use studio::{Stored, Studio, codes, inside, largest_error};
 
 const DEFAULT: fn() -> Studio = Studio::default;
 
@@ -48,6 +48,17 @@ fn a_picture_drowned_in_noise_is_too_dark() {
     assert!(!Studio { camera: dim, ..DEFAULT() }.codes().contains(&WarningCode::Black));
 }
 
+/// Below 12 code values of 255 a picture holds steps, not tones, however little noise there is.
+#[test]
+fn a_picture_of_few_codes_is_too_dark() {
+    let exposed = |exposure| {
+        let camera = Camera { exposure, noise: 0.0, ..DEFAULT().camera };
+        Studio { camera, stored: Stored::Png, ..DEFAULT() }.codes()
+    };
+    assert!(exposed(0.003).contains(&WarningCode::Black));
+    assert!(!exposed(0.02).contains(&WarningCode::Black));
+}
+
 #[test]
 fn a_small_ball_gives_h_of_low_confidence() {
     let ball = |radius| Studio { circle: Circle::new(130.0, 128.0, radius), ..DEFAULT() };
@@ -60,6 +71,22 @@ fn uneven_surroundings_are_seen_around_the_ball() {
     let side = |right| Studio { tent: Tent { right, ..Tent::default() }, ..DEFAULT() };
     assert!(side(0.25).codes().contains(&WarningCode::Environment));
     assert!(!side(0.02).codes().contains(&WarningCode::Environment));
+}
+
+/// Windows all around leave each sector's mean alike; what they scatter is far beyond the noise.
+#[test]
+fn patchy_surroundings_are_seen_in_the_scatter() {
+    let tent = |lamp| Tent { lamp, ..Tent::default() };
+    let said = |tent| Studio { tent, ..DEFAULT() }.solve().warnings;
+    let is_uneven = |warnings: &[Warning]| warnings.iter().any(|warning| warning.message.contains("surroundings"));
+    let striped = Studio { patches: stripes(), ..DEFAULT() }.solve().warnings;
+    assert!(striped.iter().any(|warning| warning.message.contains("patchy")), "{striped:?}");
+    assert!(!is_uneven(&said(tent(0.0))));
+}
+
+/// Dark bars across the whole ball, as window frames in it are.
+fn stripes() -> Vec<([f64; 4], Rgb)> {
+    (0..18).map(|i| ([20.0, 20.0 + 12.0 * f64::from(i), 220.0, 6.0], Rgb::splat(0.35))).collect()
 }
 
 #[test]
@@ -77,7 +104,7 @@ fn a_rim_that_mirrors_a_dark_backdrop_shows_no_h() {
 
 #[test]
 fn two_colours_in_a_card_are_seen() {
-    let studio = Studio { patches: vec![([258.0, 100.0, 18.0, 60.0], edgewise::color::Rgb::splat(0.5))], ..DEFAULT() };
+    let studio = Studio { patches: vec![([258.0, 100.0, 18.0, 60.0], Rgb::splat(0.5))], ..DEFAULT() };
     assert!(studio.codes().contains(&WarningCode::Multimodal));
 }
 
@@ -91,6 +118,12 @@ fn what_no_material_reaches_is_said() {
     };
     assert!(labelled(1.0).iter().all(|code| *code != WarningCode::Infeasible));
     assert!(labelled(0.45).contains(&WarningCode::Infeasible));
+    let message = |reflectance| {
+        let cards = vec![Card { reflectance, ..studio.card() }];
+        let found = studio.solve_as(&MatchRequest { cards, ..studio.request() });
+        found.warnings.into_iter().map(|warning| warning.message).collect::<String>()
+    };
+    assert!(message(0.45).contains("leaves 0 to 1") && !message(0.9).contains("leaves 0 to 1"));
 }
 
 #[test]
@@ -103,6 +136,48 @@ fn marks_that_leave_the_picture_or_miss_the_edge_are_said() {
     let half_outside = vec![Card::neutral("290,100,40,40".parse().unwrap(), 0.9)];
     let found = studio.solve_as(&MatchRequest { cards: half_outside, ..studio.request() });
     assert!(codes(&found).contains(&WarningCode::Geometry));
+}
+
+/// A picture drawn out sideways: the outline is an ellipse.
+#[test]
+fn an_ellipse_is_said() {
+    let studio = DEFAULT();
+    let (photo, request) = (studio.photo(), studio.request());
+    let circle = studio.circle;
+    let drawn_out = |factor: f64| {
+        let column = |x: u32| circle.x + (f64::from(x) + 0.5 - circle.x) / factor - 0.5;
+        let at = |x: u32, y: u32| {
+            let (left, share) = (column(x).floor(), column(x) - column(x).floor());
+            let pixel = |column: f64| photo.pixel(column.clamp(0.0, 309.0) as u32, y).unwrap().rgb;
+            pixel(left).lerp(pixel(left + 1.0), share).0.map(|value| value as f32)
+        };
+        let pixels = (0..256).flat_map(|y| (0..310).map(move |x| (x, y))).map(|(x, y)| at(x, y)).collect();
+        Photo::from_linear("drawn out", 310, 256, pixels)
+    };
+    let says_ellipse = |photo: &Photo| {
+        let found = solve(photo, &request, RgbSpace::LinRec709).unwrap();
+        found.warnings.iter().any(|warning| warning.message.contains("ellipse"))
+    };
+    assert!(says_ellipse(&drawn_out(1.05)));
+    assert!(!says_ellipse(&drawn_out(1.0)));
+}
+
+/// Copper's red is brighter than a white patch of .9, titanium is not.
+#[test]
+fn metals_brighter_than_the_grey_scale_are_said() {
+    let step = |i: usize| [258.0, 2.0 + 42.0 * i as f64, 48.0, 40.0];
+    let said = |metal| {
+        let neutrals = Card::COLOR_CHECKER_NEUTRALS.into_iter().enumerate();
+        let patches = neutrals.clone().map(|(i, y)| (step(i), Rgb::splat(y))).collect();
+        let studio = Studio { metal, patches, stored: Stored::Jpeg, ..DEFAULT() };
+        let greys: Vec<Card> = neutrals.map(|(i, reflectance)| Card { area: inside(step(i)), reflectance }).collect();
+        studio.solve_as(&MatchRequest { cards: Vec::new(), greys, ..studio.request() }).warnings
+    };
+    let is_said =
+        |warnings: &[Warning]| warnings.iter().any(|warning| warning.message.contains("brightest grey patch"));
+    assert!(is_said(&said("copper")));
+    let titanium = said("titanium");
+    assert!(!is_said(&titanium), "{titanium:?}");
 }
 
 #[test]

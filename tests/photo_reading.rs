@@ -451,6 +451,37 @@ fn the_hash_is_that_of_the_bytes() {
     assert_eq!(read("a.png", &bytes).sha256, expected);
 }
 
+/// Before a large JPEG is decoded a coarse copy of it is there, turned and coloured like the whole.
+#[test]
+fn a_large_jpeg_shows_itself_before_it_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let size = [2400_u32, 400];
+    let data: Vec<u8> =
+        (0..size[0] * size[1]).flat_map(|i| [(i % size[0] / 10) as u8, (i / size[0] / 2) as u8, 90]).collect();
+    let profile = moxcms::ColorProfile::new_display_p3().encode().unwrap();
+    let file = |name: &str, bytes: &[u8]| {
+        std::fs::write(folder.path().join(name), bytes).unwrap();
+        folder.path().join(name)
+    };
+    let open = |path: &std::path::Path| {
+        let mut looks = Vec::new();
+        let photo = Photo::open_showing(path, &OpenOptions::default(), &mut |look| looks.push(look), &mut go_on);
+        (photo.unwrap(), looks)
+    };
+    let turned = jpeg(size, &data, Some(&profile), Some(&exif(Some(6), None, None)));
+    let (photo, looks) = open(&file("turned.jpg", &turned));
+    let [look] = &looks[..] else { panic!("{} looks", looks.len()) };
+    assert_eq!((look.width, look.height), (photo.width, photo.height));
+    let whole = photo.preview(look.preview.width.max(look.preview.height));
+    assert_eq!((look.preview.width, look.preview.height), (whole.width, whole.height));
+    let differences = look.preview.rgb.iter().zip(&whole.rgb).map(|(a, b)| (0..3).map(|i| (a[i] - b[i]).abs()));
+    let largest = differences.flatten().fold(0.0, f32::max);
+    assert!(largest < 0.03, "{largest}");
+
+    let small = jpeg([64, 64], &data[..3 * 4096], None, None);
+    assert!(open(&file("small.jpg", &small)).1.is_empty(), "what is quickly read needs no look");
+}
+
 #[test]
 fn reading_can_be_watched_and_cancelled() {
     let tall = CODE.repeat(8 * 640);

@@ -4,4 +4,4 @@ mod extremes;
 mod median;
 
 pub use extremes::{larger, largest, smallest};
-pub use median::median_of_sorted;
+pub use median::{median, median_of_sorted};

@@ -4,7 +4,7 @@ use half::f16;
 use rayon::prelude::*;
 
 use super::picture::Stored;
-use super::samples::{Sample, Samples, for_each_pixel};
+use super::samples::{Sample, Samples, for_each_pixel, is_plain};
 use super::{Warning, WarningCode};
 
 /// Counts over the stored samples, before any conversion.
@@ -56,13 +56,16 @@ impl Census {
 
 /// Counts in blocks on every core.
 fn count<T: Sample>(samples: &[T], channels: usize) -> Census {
-    const PIXELS_PER_BLOCK: usize = 1 << 12;
+    const PIXELS_PER_BLOCK: usize = 1 << 10;
     let blocks = samples.par_chunks(PIXELS_PER_BLOCK * channels);
     blocks.map(|block| count_block(block, channels)).reduce(Census::default, Census::plus)
 }
 
 fn count_block<T: Sample>(samples: &[T], channels: usize) -> Census {
     let mut census = Census { pixels: samples.len() / channels, ..Census::default() };
+    if is_plain(samples, T::default()) {
+        return census;
+    }
     for_each_pixel(samples, channels, |[red, green, blue]| {
         let any = |is: fn(T) -> bool| usize::from(is(red) | is(green) | is(blue));
         census.clipped += any(|v| v >= T::CLIPPED && v.is_finite());

@@ -1,11 +1,15 @@
 //! From the pixels of a photograph to r and h.
 
 mod area;
+mod body;
 mod card;
 mod census;
 mod circle;
 mod curve;
+mod cylinder;
+mod cylinder_outline;
 mod error;
+mod first_look;
 mod inspect;
 mod light_mode;
 mod linearizer;
@@ -27,13 +31,17 @@ mod tone;
 mod warning;
 
 pub use area::Area;
+pub use body::Body;
 pub use card::Card;
 pub use circle::Circle;
+pub use cylinder::Cylinder;
+pub use cylinder_outline::{CylinderOutline, snap_cylinder};
 pub use error::{PhotoError, PhotoErrorKind};
+pub use first_look::FirstLook;
 pub use inspect::{Inspection, inspect};
 pub use light_mode::LightMode;
 pub use mark::MarkError;
-pub use outline::{Outline, OutlineError, find_ball, snap_circle};
+pub use outline::{Outline, OutlineError, find_ball, find_ball_beside, snap_circle};
 pub use picture::{OpenOptions, Photo, Untagged};
 pub use pixel::{Pixel, PixelFlags};
 pub use plane::{Plane, PlaneKind};

@@ -4,6 +4,8 @@
 //! three of them that most others agree with is refined by a robust geometric fit. What is left over
 //! twice around the circle says whether the outline is an ellipse.
 
+use std::ops::Range;
+
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use serde::Serialize;
 use thiserror::Error;
@@ -44,6 +46,9 @@ pub enum OutlineError {
     /// Too few edges agree on a circle.
     #[error("no round outline was found there: place the circle closer to the ball's edge")]
     NoCircle,
+    /// Too few edges agree on two parallel lines.
+    #[error("no two parallel edges were found there: place the cylinder closer to its edges")]
+    NoCylinder,
     /// The picture shows no ball at all.
     #[error("no ball was found in the picture: mark it with a circle")]
     NoBall,
@@ -53,10 +58,10 @@ const RAYS: usize = 360;
 /// Candidates kept for each ray: reflections inside a ball make edges, too.
 const CANDIDATES: usize = 3;
 /// A ray supports a circle within this many pixels, or this share of its radius if that is more.
-const INLIER_PX: f64 = 1.5;
-const INLIER_SHARE: f64 = 0.006;
+pub(super) const INLIER_PX: f64 = 1.5;
+pub(super) const INLIER_SHARE: f64 = 0.006;
 /// Fewer supporting rays than this are no outline.
-const LEAST_SUPPORT: f64 = 0.35;
+pub(super) const LEAST_SUPPORT: f64 = 0.35;
 
 /// Snaps a roughly placed circle to the edge nearest to it: within a fifth of its radius.
 pub fn snap_circle(photo: &Photo, rough: Circle) -> Result<Outline, OutlineError> {
@@ -81,12 +86,19 @@ fn candidates(photo: &Photo, circle: Circle, reach: f64) -> Vec<Edge> {
 }
 
 fn edges_on_ray(photo: &Photo, circle: Circle, ray: usize, half_width: f64) -> Vec<Edge> {
-    const STEP_PX: f64 = 0.5;
     let (sin, cos) = (std::f64::consts::TAU * ray as f64 / RAYS as f64).sin_cos();
-    let steps = (2.0 * half_width / STEP_PX) as usize;
-    let radius = |step: f64| circle.radius - half_width + step * STEP_PX;
     let point = |r: f64| (circle.x + r * cos, circle.y + r * sin);
-    let profile: Vec<Option<f64>> = (0..=steps).map(|step| brightness(photo, point(radius(step as f64)))).collect();
+    let stretch = circle.radius - half_width..circle.radius + half_width;
+    let edge = |r: f64| Edge { x: point(r).0, y: point(r).1, ray };
+    steepest_steps(photo, stretch, point).into_iter().map(edge).collect()
+}
+
+/// Where on a stretch of a line, in pixels, brightness changes most; the steepest first, at most [`CANDIDATES`].
+pub(super) fn steepest_steps(photo: &Photo, stretch: Range<f64>, point: impl Fn(f64) -> (f64, f64)) -> Vec<f64> {
+    const STEP_PX: f64 = 0.5;
+    let steps = ((stretch.end - stretch.start) / STEP_PX) as usize;
+    let position = |step: f64| stretch.start + step * STEP_PX;
+    let profile: Vec<Option<f64>> = (0..=steps).map(|step| brightness(photo, point(position(step as f64)))).collect();
     // The slope over ± 1 px: as wide as a lens is sharp, so that the peak of the slope is the edge.
     let slope = |step: usize| {
         let (before, after) = (step.checked_sub(2)?, step + 2);
@@ -99,10 +111,7 @@ fn edges_on_ray(photo: &Photo, circle: Circle, ray: usize, half_width: f64) -> V
     peaks
         .into_iter()
         .take(CANDIDATES)
-        .map(|step| {
-            let (x, y) = point(radius(step as f64 + parabola_peak([slopes[step - 1], slopes[step], slopes[step + 1]])));
-            Edge { x, y, ray }
-        })
+        .map(|step| position(step as f64 + parabola_peak([slopes[step - 1], slopes[step], slopes[step + 1]])))
         .collect()
 }
 
@@ -132,21 +141,23 @@ fn brightness(photo: &Photo, (x, y): (f64, f64)) -> Option<f64> {
 
 /// RANSAC (Fischler & Bolles 1981) over a fixed sequence of triples, then the geometric fit.
 fn fit_edges(edges: &[Edge], rough: Circle) -> Option<Outline> {
-    const TRIPLES: usize = 400;
+    const TRIPLES: usize = 1000;
+    /// Reflections near the rim make rings, too, but inside: of circles about as well supported, the largest is the
+    /// outline.
+    const ABOUT_AS_WELL: f64 = 0.85;
     if edges.len() < 12 {
         return None;
     }
     let limit = INLIER_PX.max(INLIER_SHARE * rough.radius);
-    let mut sequence = 1_u64;
-    let mut pick = || {
-        // A linear congruential sequence (Knuth, MMIX): the same triples for the same picture.
-        sequence = sequence.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        edges[(sequence >> 33) as usize % edges.len()]
-    };
+    let mut sequence = Sequence::default();
+    let mut pick = || edges[sequence.below(edges.len())];
     let circles = (0..TRIPLES).filter_map(|_| circle_through([pick(), pick(), pick()]));
     let near = circles.filter(|circle| is_near(*circle, rough));
-    let best = near.map(|circle| (support(edges, circle, limit), circle)).max_by_key(|(support, _)| *support)?;
-    let circle = geometric_fit(edges, best.1, limit)?;
+    let supported: Vec<(usize, Circle)> = near.map(|circle| (support(edges, circle, limit), circle)).collect();
+    let enough = ABOUT_AS_WELL * supported.iter().map(|(support, _)| *support).max()? as f64;
+    let good = supported.into_iter().filter(|(support, _)| *support as f64 >= enough).map(|(_, circle)| circle);
+    let outermost = good.max_by(|a, b| a.radius.total_cmp(&b.radius))?;
+    let circle = geometric_fit(edges, outermost, limit)?;
     let supporting = support(edges, circle, limit);
     let share = supporting as f64 / RAYS as f64;
     if share < LEAST_SUPPORT {
@@ -157,6 +168,23 @@ fn fit_edges(edges: &[Edge], rough: Circle) -> Option<Outline> {
     let independent = (supporting as f64).min(share * std::f64::consts::TAU * circle.radius / 2.0);
     let uncertainty_px = (scatter / independent.sqrt()).hypot(0.05);
     Some(Outline { circle, uncertainty_px, ellipticity, support: share })
+}
+
+/// A linear congruential sequence (Knuth, MMIX): the same picks for the same picture.
+pub(super) struct Sequence(u64);
+
+impl Default for Sequence {
+    fn default() -> Self {
+        Self(1)
+    }
+}
+
+impl Sequence {
+    /// The next number below `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % count
+    }
 }
 
 fn is_near(circle: Circle, rough: Circle) -> bool {
@@ -243,10 +271,54 @@ fn second_harmonic(edges: &[Edge], circle: Circle, reach: f64) -> f64 {
 
 /// Finds the ball of a picture without a hint: the roundest, best supported outline.
 pub fn find_ball(photo: &Photo) -> Result<Outline, OutlineError> {
+    find_ball_beside(photo, &[])
+}
+
+/// Finds the ball of a picture that is none of `others`: a reference ball is in the picture, too.
+pub fn find_ball_beside(photo: &Photo, others: &[Circle]) -> Result<Outline, OutlineError> {
     let small = Reduced::of(photo);
     let snapped = small.round_shapes().into_iter().filter_map(|rough| snap_circle(photo, rough).ok());
-    let score = |outline: &Outline| outline.support * outline.circle.radius.sqrt();
-    snapped.max_by(|a, b| score(a).total_cmp(&score(b))).ok_or(OutlineError::NoBall)
+    let is_other = |outline: &Outline| others.iter().any(|other| overlap(outline.circle, *other));
+    let clear = snapped.filter(|outline| !is_other(outline)).map(|outline| (clearness(photo, outline.circle), outline));
+    let score = |(clearness, outline): &(f64, Outline)| clearness * outline.circle.radius.sqrt();
+    let balls = clear.filter(|(clearness, _)| *clearness >= LEAST_CLEARNESS);
+    balls.max_by(|a, b| score(a).total_cmp(&score(b))).map(|(_, outline)| outline).ok_or(OutlineError::NoBall)
+}
+
+/// Less than this is what carvings, leaves and cloth give: below 0.1 on a bronze full of curls, above 0.5 on a mirror
+/// ball in a street and on the back of a ladle.
+const LEAST_CLEARNESS: f64 = 0.25;
+
+/// How much more often edges run along a circle than along its neighbours of the same centre: 1 for a lone outline, 0
+/// where a picture is full of edges.
+fn clearness(photo: &Photo, circle: Circle) -> f64 {
+    // A small circle needs neighbours, too, or chance would pass for an outline.
+    let reach = (9.0 / circle.radius).max(0.1);
+    let along: Vec<Edge> =
+        candidates(photo, circle, reach).into_iter().filter(|edge| runs_along(photo, *edge, circle)).collect();
+    let limit = INLIER_PX.max(INLIER_SHARE * circle.radius);
+    let share = |radius: f64| support(&along, circle.with_radius(radius), limit) as f64 / RAYS as f64;
+    let farthest = reach * circle.radius - limit;
+    let steps = (1..).map(|step| (1.0 + f64::from(step)) * limit).take_while(|offset| *offset <= farthest);
+    let neighbours: Vec<f64> =
+        steps.flat_map(|offset| [circle.radius - offset, circle.radius + offset]).map(share).collect();
+    share(circle.radius) - neighbours.iter().sum::<f64>() / neighbours.len().max(1) as f64
+}
+
+/// True where brightness changes across a circle and not along it: within about 25° of its radius.
+fn runs_along(photo: &Photo, edge: Edge, circle: Circle) -> bool {
+    const COSINE: f64 = 0.9;
+    let slope = |dx: f64, dy: f64| {
+        Some(brightness(photo, (edge.x + dx, edge.y + dy))? - brightness(photo, (edge.x - dx, edge.y - dy))?)
+    };
+    let (Some(gx), Some(gy)) = (slope(1.0, 0.0), slope(0.0, 1.0)) else { return false };
+    let (x, y) = (edge.x - circle.x, edge.y - circle.y);
+    (gx * x + gy * y).abs() > COSINE * gx.hypot(gy) * x.hypot(y)
+}
+
+/// True when two balls would stand in one another.
+fn overlap(a: Circle, b: Circle) -> bool {
+    (a.x - b.x).hypot(a.y - b.y) < 0.9 * (a.radius + b.radius)
 }
 
 /// A picture of brightness at most 160 pixels wide and high, for a first look.
@@ -372,6 +444,30 @@ mod tests {
     fn finds_a_ball_by_itself() {
         let found = find_ball(&ellipse(70.4, 70.4)).unwrap();
         assert!((found.circle.radius - 70.4).abs() < 0.2, "{found:?}");
+    }
+
+    /// Noise gives steps on every ray, of which some lie on any circle.
+    #[test]
+    fn a_picture_full_of_edges_holds_no_ball() {
+        let noise = |x: u32, y: u32| (x.wrapping_mul(2_654_435_761) ^ y.wrapping_mul(2_246_822_519)) >> 13 & 0xff;
+        let value = |x: u32, y: u32| [0.2 + noise(x / 3, y / 3) as f32 / 400.0; 3];
+        let pixels = (0..200).flat_map(|y| (0..200).map(move |x| value(x, y))).collect();
+        assert_eq!(find_ball(&Photo::from_linear("noise", 200, 200, pixels)), Err(OutlineError::NoBall));
+    }
+
+    /// A dark ring inside the rim, as a far horizon makes, is no outline.
+    #[test]
+    fn the_outermost_of_two_rings_is_the_outline() {
+        let pixel = |x: u32, y: u32| {
+            let distance = (f64::from(x) + 0.5 - 101.3).hypot(f64::from(y) + 0.5 - 98.6);
+            let inside = |radius: f64| (radius - distance + 0.5).clamp(0.0, 1.0);
+            [(0.2 + 0.3 * inside(70.4) - 0.4 * inside(66.0) + 0.5 * inside(62.0)) as f32; 3]
+        };
+        let pixels = (0..200).flat_map(|y| (0..200).map(move |x| pixel(x, y))).collect();
+        let photo = Photo::from_linear("rings", 200, 200, pixels);
+        for found in [find_ball(&photo).unwrap(), snap_circle(&photo, Circle::new(103.0, 98.0, 67.0)).unwrap()] {
+            assert!((found.circle.radius - 70.4).abs() < 0.2, "{found:?}");
+        }
     }
 
     #[test]

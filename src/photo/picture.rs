@@ -12,7 +12,7 @@ use super::linearizer::Linearizer;
 use super::orientation::Orientation;
 use super::read;
 use super::samples::{Sample, Samples, flags_of, triple};
-use super::{ColourRule, PhotoError, Pixel, PixelFlags, Warning};
+use super::{ColourRule, FirstLook, PhotoError, Pixel, PixelFlags, Warning};
 use crate::color::Rgb;
 
 /// What to do where a file leaves a choice.
@@ -91,9 +91,28 @@ impl Photo {
         options: &OpenOptions,
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<Self, PhotoError> {
+        Self::open_file(path, options, None, progress)
+    }
+
+    /// Opens a file and shows `look` a coarse copy of a large JPEG, from another thread, before it is decoded.
+    pub fn open_showing(
+        path: &Path,
+        options: &OpenOptions,
+        look: &mut (dyn FnMut(FirstLook) + Send),
+        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+    ) -> Result<Self, PhotoError> {
+        Self::open_file(path, options, Some(look), progress)
+    }
+
+    fn open_file(
+        path: &Path,
+        options: &OpenOptions,
+        look: Option<read::Look<'_>>,
+        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+    ) -> Result<Self, PhotoError> {
         let bytes = read::file_bytes(path).map_err(|kind| kind.of(&path.display().to_string()))?;
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-        Self::from_bytes_with(&name, &bytes, options, progress)
+        read::photo(&name, &bytes, options, look, progress).map_err(|kind| kind.of(&name))
     }
 
     /// Reads the bytes of a file; the extension of `name` serves only to recognise raw files.
@@ -112,7 +131,7 @@ impl Photo {
         options: &OpenOptions,
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<Self, PhotoError> {
-        read::photo(name, bytes, options, progress).map_err(|kind| kind.of(name))
+        read::photo(name, bytes, options, None, progress).map_err(|kind| kind.of(name))
     }
 
     /// A picture that is linear Rec.709 already, row by row.

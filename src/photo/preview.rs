@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::PixelFlags;
 use super::picture::{Photo, Stored};
-use super::samples::{Sample, Samples, flags_of, for_each_pixel};
+use super::samples::{Sample, Samples, flags_of, for_each_pixel, is_plain};
 
 /// A small copy in linear Rec.709.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,16 +90,25 @@ fn small_row<T: Sample>(stored: &Stored, samples: &[T], width: u32, rows: Range<
     means.map(|mean| [mean.x as f32, mean.y as f32, mean.z as f32]).zip(flags).collect()
 }
 
-/// Marks each run of pixels with the flags that any of them has.
+/// Marks each run of pixels with the flags that any of them has. Most stretches of a picture have none, which
+/// is seen at once.
 fn add_flags<T: Sample>(pixels: &[T], stored: &Stored, ends: &[usize], flags: &mut [PixelFlags]) {
+    const RUNS_AT_ONCE: usize = 64;
     let (black, channels) = (T::black(stored.is_linear), stored.channels);
     let mut start = 0;
-    for (end, flags) in ends.iter().zip(flags) {
-        let mut of_run = PixelFlags::default();
-        let run = &pixels[start * channels..end * channels];
-        for_each_pixel(run, channels, |pixel| of_run = of_run.or(flags_of(pixel, black)));
-        *flags = flags.or(of_run);
-        start = *end;
+    for (ends, flags) in ends.chunks(RUNS_AT_ONCE).zip(flags.chunks_mut(RUNS_AT_ONCE)) {
+        let last = ends.last().copied().unwrap_or(start);
+        if is_plain(&pixels[start * channels..last * channels], black) {
+            start = last;
+            continue;
+        }
+        for (end, flags) in ends.iter().zip(flags) {
+            let mut of_run = PixelFlags::default();
+            let run = &pixels[start * channels..end * channels];
+            for_each_pixel(run, channels, |pixel| of_run = of_run.or(flags_of(pixel, black)));
+            *flags = flags.or(of_run);
+            start = *end;
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use std::{fmt, str::FromStr};
 use serde::{Deserialize, Serialize};
 
 use super::mark::MarkError;
-use super::{Area, Card, Circle, LightMode};
+use super::{Area, Body, Card, Circle, Cylinder, CylinderOutline, LightMode, Outline};
 use crate::color::Rgb;
 use crate::metal::metal_by_name;
 
@@ -18,6 +18,9 @@ pub struct MatchRequest {
     /// The outline of the ball.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub circle: Option<Circle>,
+    /// Instead of a ball: the outline of a cylinder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cylinder: Option<Cylinder>,
     /// Standard uncertainty of the outline's radius in pixels; what a steady hand reaches if `None`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub circle_uncertainty_px: Option<f64>,
@@ -59,12 +62,27 @@ impl MatchRequest {
     pub fn suggested_mode(&self) -> Option<LightMode> {
         LightMode::ALL.into_iter().find(|mode| match mode {
             LightMode::FlatMirror => !self.mirrors.is_empty(),
-            LightMode::ReferenceBall => self.reference_ball.is_some() && self.circle.is_some(),
+            LightMode::ReferenceBall => self.reference_ball.is_some() && self.body().is_some(),
             LightMode::Card => !self.cards.is_empty() || !self.greys.is_empty(),
-            LightMode::Backdrop => self.backdrop.is_some() && self.circle.is_some(),
-            LightMode::SolvedLight => self.circle.is_some(),
+            LightMode::Backdrop => self.backdrop.is_some() && self.body().is_some(),
+            LightMode::SolvedLight => self.body().is_some(),
             LightMode::ByEye => self.light.is_some(),
         })
+    }
+
+    /// The ball or the cylinder that is marked; the ball where both are, which no match accepts.
+    pub fn body(&self) -> Option<Body> {
+        self.circle.map(Body::Ball).or(self.cylinder.map(Body::Cylinder))
+    }
+
+    /// The same request with the fitted outline of a cylinder and what the fit says of its radius.
+    pub fn with_cylinder(self, outline: &CylinderOutline) -> Self {
+        Self { cylinder: Some(outline.cylinder), circle_uncertainty_px: Some(outline.uncertainty_px), ..self }
+    }
+
+    /// The same request with a fitted outline and what the fit says of its radius.
+    pub fn with_outline(self, outline: &Outline) -> Self {
+        Self { circle: Some(outline.circle), circle_uncertainty_px: Some(outline.uncertainty_px), ..self }
     }
 
     /// Standard uncertainty of the outline's radius in pixels.

@@ -39,7 +39,7 @@ impl Samples {
 }
 
 /// What a stored number type says about itself.
-pub(super) trait Sample: Copy + PartialOrd + Send + Sync {
+pub(super) trait Sample: Copy + Default + PartialOrd + Send + Sync {
     /// The smallest value that counts as clipped: 0.995 of the range, or the largest number of a float.
     const CLIPPED: Self;
 
@@ -158,6 +158,12 @@ pub(super) fn flags_of<T: Sample>(pixel: [T; 3], black: T) -> PixelFlags {
     }
 }
 
+/// True when every sample lies from `least` to below clipping: no pixel of the run then has a flag. NaN lies nowhere.
+pub(super) fn is_plain<T: Sample>(run: &[T], least: T) -> bool {
+    // No early end: the loop is to become one over whole registers.
+    run.iter().fold(true, |is_plain, value| is_plain & (*value >= least) & (*value < T::CLIPPED))
+}
+
 /// A pixel as three channels; grey is three equal ones.
 #[inline]
 pub(super) fn triple<T: Sample>(pixel: &[T]) -> [T; 3] {
@@ -189,6 +195,13 @@ mod tests {
         assert!(u16::CLIPPED.fraction() >= 0.995 && (u16::CLIPPED - 1).fraction() < 0.995);
         assert!((u16::black(false) - 1).fraction() < 12.0 / 255.0 && u16::black(false).fraction() >= 12.0 / 255.0);
         assert!((crate::color::srgb_decode(12.0 / 255.0) - LINEAR_BLACK).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_plain_run_has_no_flags() {
+        assert!(is_plain(&[12u8, 40, 253], u8::black(false)) && is_plain::<u8>(&[], 12));
+        assert!(!is_plain(&[12u8, 254], 12) && !is_plain(&[11u8, 40], 12));
+        assert!(!is_plain(&[0.5, f32::NAN], 0.0) && !is_plain(&[f32::INFINITY], 0.0) && !is_plain(&[-0.1], 0.0));
     }
 
     #[test]

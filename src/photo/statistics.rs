@@ -1,9 +1,11 @@
 //! What an area of a photograph holds: means, spread, and how well the mean is known.
 
+use std::cmp::Ordering;
+use std::ops::Range;
+
 use serde::Serialize;
 
 use super::{Area, Photo, Pixel};
-use crate::number::median_of_sorted;
 
 /// The area is cut into this many tiles each way for the jackknife: neighbouring pixels correlate.
 const TILES: usize = 8;
@@ -73,49 +75,53 @@ pub(super) fn usable_channels(pixel: &Pixel) -> [bool; 3] {
     pixel.flags.clipped.map(|is_clipped| !is_clipped && !pixel.flags.non_finite)
 }
 
-fn tile_of(area: Area, x: f64, y: f64) -> usize {
+fn tile_of(area: Area, x: f64, y: f64) -> u8 {
     let [left, top, width, height] = area.bounds();
     let index = |offset: f64, size: f64| ((offset / size * TILES as f64) as usize).min(TILES - 1);
-    index(y - top, height) * TILES + index(x - left, width)
+    (index(y - top, height) * TILES + index(x - left, width)) as u8
 }
 
+/// The usable pixels of an area. Floats keep a large area small: 13 bytes for each pixel.
 #[derive(Default)]
 struct Samples {
-    /// (value, tile) of each usable pixel.
-    channels: [Vec<(f64, usize)>; 3],
-    pixels: usize,
+    /// Linear values; NaN in a channel that is clipped or not finite.
+    values: Vec<[f32; 3]>,
+    /// The tile of each.
+    tiles: Vec<u8>,
     clipped: [usize; 3],
     black: usize,
     non_finite: usize,
 }
 
 impl Samples {
-    fn push(&mut self, pixel: Pixel, tile: usize) {
-        self.pixels += 1;
+    fn push(&mut self, pixel: Pixel, tile: u8) {
         self.black += usize::from(pixel.flags.black);
         self.non_finite += usize::from(pixel.flags.non_finite);
-        for (channel, is_usable) in usable_channels(&pixel).into_iter().enumerate() {
+        for channel in 0..3 {
             self.clipped[channel] += usize::from(pixel.flags.clipped[channel]);
-            if is_usable {
-                self.channels[channel].push((pixel.rgb[channel], tile));
-            }
         }
+        let is_usable = usable_channels(&pixel);
+        self.values.push(std::array::from_fn(|i| if is_usable[i] { pixel.rgb[i] as f32 } else { f32::NAN }));
+        self.tiles.push(tile);
     }
 
-    fn statistics(mut self) -> AreaStatistics {
-        for channel in &mut self.channels {
-            channel.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        }
-        let channels = &self.channels;
-        let of = |f: fn(&[(f64, usize)]) -> f64| std::array::from_fn(|i| f(&channels[i]));
+    fn statistics(self) -> AreaStatistics {
+        let mut usable = Vec::with_capacity(self.values.len());
+        let channels: [ChannelStatistics; 3] = std::array::from_fn(|i| {
+            let of_channel = self.values.iter().zip(&self.tiles).map(|(value, tile)| (value[i], *tile));
+            usable.clear();
+            usable.extend(of_channel.filter(|(value, _)| !value.is_nan()));
+            ChannelStatistics::of(&mut usable)
+        });
+        let of = |f: fn(&ChannelStatistics) -> f64| channels.each_ref().map(f);
         AreaStatistics {
-            mean: of(mean),
-            trimmed_mean: of(trimmed_mean),
-            median: of(median),
-            standard_deviation: of(standard_deviation),
-            standard_error: of(standard_error),
-            bimodality: of(bimodality),
-            pixels: self.pixels,
+            mean: of(|s| s.mean),
+            trimmed_mean: of(|s| s.trimmed_mean),
+            median: of(|s| s.median),
+            standard_deviation: of(|s| s.standard_deviation),
+            standard_error: of(|s| s.standard_error),
+            bimodality: of(|s| s.bimodality),
+            pixels: self.values.len(),
             clipped: self.clipped,
             black: self.black,
             non_finite: self.non_finite,
@@ -123,41 +129,97 @@ impl Samples {
     }
 }
 
-fn mean(samples: &[(f64, usize)]) -> f64 {
-    samples.iter().map(|(value, _)| value).sum::<f64>() / samples.len() as f64
+/// A value of one channel and its tile.
+type Sample = (f32, u8);
+
+/// What one channel of an area holds.
+struct ChannelStatistics {
+    mean: f64,
+    trimmed_mean: f64,
+    median: f64,
+    standard_deviation: f64,
+    standard_error: f64,
+    bimodality: f64,
 }
 
-fn trimmed_mean(sorted: &[(f64, usize)]) -> f64 {
-    let cut = sorted.len() / 5;
-    mean(&sorted[cut..sorted.len() - cut])
+impl ChannelStatistics {
+    /// Of samples in any order, which it reorders: selecting the fifths and the middle is enough, none is sorted.
+    fn of(samples: &mut [Sample]) -> Self {
+        let mean = mean(samples);
+        let (standard_deviation, bimodality) = (standard_deviation(samples, mean), bimodality(samples, mean));
+        let Some(middle) = middle_fifths(samples) else {
+            return Self {
+                mean,
+                trimmed_mean: mean,
+                median: mean,
+                standard_deviation,
+                standard_error: mean,
+                bimodality,
+            };
+        };
+        let (trimmed_mean, median) = (self::mean(&samples[middle.clone()]), median(&mut samples[middle.clone()]));
+        let limits = [samples[middle.start].0, samples[middle.end - 1].0];
+        let standard_error = standard_error(samples, limits);
+        Self { mean, trimmed_mean, median, standard_deviation, standard_error, bimodality }
+    }
 }
 
-fn median(sorted: &[(f64, usize)]) -> f64 {
-    median_of_sorted(sorted, |(value, _)| *value)
+/// Brings the middle 60 % of the samples together, the smallest of them first, the largest last; `None` of nothing.
+fn middle_fifths(samples: &mut [Sample]) -> Option<Range<usize>> {
+    let cut = samples.len() / 5;
+    let middle = cut..samples.len() - cut;
+    if middle.is_empty() {
+        return None;
+    }
+    samples.select_nth_unstable_by(middle.start, by_value);
+    let rest = &mut samples[middle.start + 1..];
+    if let Some(last) = middle.len().checked_sub(2) {
+        rest.select_nth_unstable_by(last, by_value);
+    }
+    Some(middle)
 }
 
-fn standard_deviation(samples: &[(f64, usize)]) -> f64 {
-    let centre = mean(samples);
-    let sum: f64 = samples.iter().map(|(value, _)| (value - centre).powi(2)).sum();
-    (sum / (samples.len() as f64 - 1.0)).sqrt()
+fn by_value(a: &Sample, b: &Sample) -> Ordering {
+    a.0.total_cmp(&b.0)
+}
+
+fn mean(samples: &[Sample]) -> f64 {
+    samples.iter().map(|(value, _)| f64::from(*value)).sum::<f64>() / samples.len() as f64
+}
+
+/// The median, with the ends of the samples left where they are.
+fn median(samples: &mut [Sample]) -> f64 {
+    let (middle, last) = (samples.len() / 2, samples.len() - 1);
+    if samples.len() < 3 {
+        return mean(samples);
+    }
+    let is_even = samples.len().is_multiple_of(2);
+    let (below, upper, _) = samples[1..last].select_nth_unstable_by(middle - 1, by_value);
+    let lower = below.iter().map(|sample| sample.0).max_by(f32::total_cmp).filter(|_| is_even);
+    let upper = f64::from(upper.0);
+    lower.map_or(upper, |lower| 0.5 * (f64::from(lower) + upper))
+}
+
+fn standard_deviation(samples: &[Sample], centre: f64) -> f64 {
+    (sum_of_squares(samples, centre) / (samples.len() as f64 - 1.0)).sqrt()
+}
+
+fn sum_of_squares(samples: &[Sample], centre: f64) -> f64 {
+    samples.iter().map(|(value, _)| (f64::from(*value) - centre).powi(2)).sum()
 }
 
 /// Delete-a-block jackknife of the trimmed mean (Künsch 1989) over tiles.
 ///
 /// A tile's pull on the trimmed mean is the sum of its winsorised deviations over 0.6 n, the trimmed
 /// mean's influence function (Huber 1981, section 3.3), so that one pass serves every tile.
-fn standard_error(sorted: &[(f64, usize)]) -> f64 {
-    if sorted.is_empty() {
-        return f64::NAN;
-    }
-    let cut = sorted.len() / 5;
-    let (low, high) = (sorted[cut].0, sorted[sorted.len() - 1 - cut].0);
-    let count = sorted.len() as f64;
-    let centre = sorted.iter().map(|(value, _)| value.clamp(low, high)).sum::<f64>() / count;
+fn standard_error(samples: &[Sample], [low, high]: [f32; 2]) -> f64 {
+    let winsorised = |value: f32| f64::from(value.clamp(low, high));
+    let count = samples.len() as f64;
+    let centre = samples.iter().map(|(value, _)| winsorised(*value)).sum::<f64>() / count;
     let mut tiles = [(0.0, 0.0); TILES * TILES];
-    for (value, tile) in sorted {
-        tiles[*tile].0 += value.clamp(low, high) - centre;
-        tiles[*tile].1 += 1.0;
+    for (value, tile) in samples {
+        tiles[usize::from(*tile)].0 += winsorised(*value) - centre;
+        tiles[usize::from(*tile)].1 += 1.0;
     }
     let estimates: Vec<f64> =
         tiles.iter().filter(|tile| tile.1 > 0.0).map(|(pull, size)| -pull / (0.6 * (count - size))).collect();
@@ -173,13 +235,15 @@ pub(super) fn jackknife_error(estimates: &[f64]) -> f64 {
 }
 
 /// Between-class share of the variance when the samples are split at their mean (Otsu 1979, eq. 12).
-fn bimodality(sorted: &[(f64, usize)]) -> f64 {
-    let centre = mean(sorted);
-    let below = sorted.partition_point(|(value, _)| *value < centre);
-    let share = below as f64 / sorted.len() as f64;
-    let (low, high) = sorted.split_at(below);
-    let between = share * (1.0 - share) * (mean(high) - mean(low)).powi(2);
-    let total = sorted.iter().map(|(value, _)| (value - centre).powi(2)).sum::<f64>() / sorted.len() as f64;
+fn bimodality(samples: &[Sample], centre: f64) -> f64 {
+    let (mut below, mut sum_below) = (0.0, 0.0);
+    for value in samples.iter().map(|(value, _)| f64::from(*value)).filter(|value| *value < centre) {
+        (below, sum_below) = (below + 1.0, sum_below + value);
+    }
+    let count = samples.len() as f64;
+    let (low, high) = (sum_below / below, (centre * count - sum_below) / (count - below));
+    let between = below * (count - below) / (count * count) * (high - low).powi(2);
+    let total = sum_of_squares(samples, centre) / count;
     if total > 0.0 { between / total } else { 0.0 }
 }
 
@@ -219,6 +283,25 @@ mod tests {
     fn a_highlight_moves_the_mean_but_not_the_trimmed_mean() {
         let s = whole(&photo(32, |x, _| if x < 4 { 50.0 } else { 1.0 }));
         assert!(s.mean[0] > 7.0 && s.trimmed_mean[0] == 1.0 && s.median[0] == 1.0);
+    }
+
+    /// Selecting gives what sorting gives, for every number of samples.
+    #[test]
+    fn the_middle_is_that_of_the_sorted_samples() {
+        let value = |i: usize| ((i * 7_919 + 13) % 101) as f32;
+        for count in 1..60 {
+            let mut samples: Vec<Sample> = (0..count).map(|i| (value(i), 0)).collect();
+            let mut sorted: Vec<f64> = samples.iter().map(|(value, _)| f64::from(*value)).collect();
+            sorted.sort_by(f64::total_cmp);
+            let median = crate::number::median(&mut sorted.clone());
+            let middle = &sorted[count / 5..count - count / 5];
+            let expected = middle.iter().sum::<f64>() / middle.len() as f64;
+            let found = ChannelStatistics::of(&mut samples);
+            assert!((found.trimmed_mean - expected).abs() < 1e-9, "{count}");
+            assert_eq!(found.median, median, "{count}");
+            let limits = [samples[count / 5].0, samples[count - 1 - count / 5].0].map(f64::from);
+            assert_eq!(limits, [middle[0], middle[middle.len() - 1]], "{count}");
+        }
     }
 
     #[test]

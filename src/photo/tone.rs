@@ -9,6 +9,11 @@ pub(super) struct ToneCurve {
     channels: [MonotoneCubic; 3],
     /// How far the curve is off, relative: half the mean error at a patch when it is left out.
     pub relative_uncertainty: f64,
+    /// Reflectance of the brightest patch; above it the curve is extended.
+    brightest: f64,
+    /// Relative error at the brightest patch of each channel when the curve through the others is extended to it,
+    /// for each step of the sRGB curve that it is beyond them.
+    extension_error: [f64; 3],
 }
 
 /// A curve needs this many patches.
@@ -26,7 +31,26 @@ impl ToneCurve {
         let points = [0, 1, 2].map(|channel| knots(&patches, channel));
         let [red, green, blue] = points.each_ref().map(|points| MonotoneCubic::through(points));
         let error = points.iter().map(|points| leave_one_out_error(points)).sum::<f64>() / 3.0;
-        Some(Self { channels: [red?, green?, blue?], relative_uncertainty: 0.5 * error })
+        Some(Self {
+            channels: [red?, green?, blue?],
+            relative_uncertainty: 0.5 * error,
+            brightest: patches.last()?.1,
+            extension_error: points.each_ref().map(|points| extension_error(points)),
+        })
+    }
+
+    /// True when the curve has to be extended to give this reflectance.
+    pub fn is_extended_to(&self, reflectance: f64) -> bool {
+        /// A patch is known to a percent or two itself.
+        const MARGIN: f64 = 1.01;
+        reflectance > MARGIN * self.brightest
+    }
+
+    /// Relative standard uncertainty of a reflectance: that of the curve, and beyond the brightest patch what
+    /// extending it adds, in proportion to how far.
+    pub fn uncertainty(&self, channel: usize, reflectance: f64) -> f64 {
+        let beyond = (srgb_encode(reflectance) - srgb_encode(self.brightest)).max(0.0);
+        self.relative_uncertainty.hypot(self.extension_error[channel] * beyond)
     }
 
     /// The reflectance of a value of a channel.
@@ -41,6 +65,14 @@ fn knots(patches: &[(AreaStatistics, f64)], channel: usize) -> Vec<(f64, f64)> {
         (srgb_encode(statistics.trimmed_mean[channel]), srgb_encode(*reflectance))
     };
     std::iter::once((0.0, 0.0)).chain(patches.iter().map(patch)).collect()
+}
+
+/// The relative error at the last knot of the curve through the others, over its distance from them.
+fn extension_error(points: &[(f64, f64)]) -> f64 {
+    let Some(((value, code), rest)) = points.split_last() else { return 0.0 };
+    let distance = code - rest.last().map_or(0.0, |point| point.1);
+    let extended = MonotoneCubic::through(rest).map_or(0.0, |curve| srgb_decode(curve.at(*value)));
+    (extended / srgb_decode(*code) - 1.0).abs() / distance
 }
 
 /// Mean relative error of the reflectance of each inner patch by the curve through the others.
@@ -117,6 +149,15 @@ mod tests {
         }
         let values: Vec<f64> = (0..=120).map(|i| curve.at(f64::from(i) / 100.0)).collect();
         assert!(values.windows(2).all(|pair| pair[1] >= pair[0]));
+    }
+
+    /// Through a straight curve nothing is wrong beyond the patches either; through a bent one what is grows with how far.
+    #[test]
+    fn extending_a_curve_costs_what_it_bends() {
+        let straight = [(0.0, 0.0), (0.2, 0.25), (0.4, 0.5), (0.6, 0.75)];
+        assert!(extension_error(&straight) < 1e-12);
+        let bent = [(0.0, 0.0), (0.3, 0.25), (0.5, 0.5), (0.6, 0.75)];
+        assert!(extension_error(&bent) > 0.1);
     }
 
     #[test]

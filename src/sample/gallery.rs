@@ -159,6 +159,7 @@ impl Set {
             floor: Some(floor),
             pitch_deg: 9.0,
             balls: vec![ball],
+            rods: Vec::new(),
             patches: cards.into_iter().map(patch).collect(),
             rays: 4,
         }

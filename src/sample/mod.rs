@@ -12,5 +12,5 @@ mod surroundings;
 pub use camera::{Camera, camera_jpeg, camera_tone, linear_png};
 pub use gallery::{Rendered, SampleError, render_all};
 pub use library::{Sample, SampleFacts, Truth, sample, samples};
-pub use scene::{Ball, Patch, Scene};
+pub use scene::{Ball, Patch, Rod, Scene};
 pub use surroundings::{Dome, Floor, Panorama, PanoramaError, Tent, Vec3};

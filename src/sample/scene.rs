@@ -3,7 +3,7 @@
 use super::surroundings::{Dome, Floor, Vec3, smooth_step};
 use crate::color::Rgb;
 use crate::metal::ReflectanceTable;
-use crate::photo::Circle;
+use crate::photo::{Body, Circle, Cylinder};
 
 /// Everything in front of the camera. Circles and rectangles are in pixels of the finished picture.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub struct Scene {
     pub pitch_deg: f64,
     /// Balls; the first gives the scale of the floor.
     pub balls: Vec<Ball>,
+    /// Polished cylinders, seen by parallel rays.
+    pub rods: Vec<Rod>,
     /// Flat things of one radiance each, in front of the rest.
     pub patches: Vec<Patch>,
     /// Rays each way in every pixel.
@@ -35,6 +37,15 @@ pub struct Ball {
     pub metal: ReflectanceTable,
     /// Distance of the camera in ball radii; infinite for parallel rays.
     pub camera_distance: f64,
+}
+
+/// A polished cylinder across the line of sight.
+#[derive(Clone, Debug)]
+pub struct Rod {
+    /// Its outline.
+    pub cylinder: Cylinder,
+    /// Its metal.
+    pub metal: ReflectanceTable,
 }
 
 /// A rectangle of one radiance that faces the camera.
@@ -74,7 +85,8 @@ impl Scene {
             return patch.radiance;
         }
         let ball = self.balls.iter().find_map(|ball| self.mirrored(ball, x, y));
-        ball.unwrap_or_else(|| self.behind(x, y) * self.shade(x, y))
+        let rod = || self.rods.iter().find_map(|rod| self.mirrored_by_rod(rod, x, y));
+        ball.or_else(rod).unwrap_or_else(|| self.behind(x, y) * self.shade(x, y))
     }
 
     /// What a ball shows; `None` beside it.
@@ -82,10 +94,22 @@ impl Scene {
         let Circle { x: cx, y: cy, radius } = ball.circle;
         let (px, py) = ((x - cx) / radius, (cy - y) / radius);
         let (normal, to_camera) = ball.normal_and_view(px, py)?;
-        let cosine = normal.dot(&to_camera);
+        Some(self.mirrored_at(&normal, &to_camera, &ball.metal))
+    }
+
+    /// What a rod shows; `None` beside it.
+    fn mirrored_by_rod(&self, rod: &Rod, x: f64, y: f64) -> Option<Rgb> {
+        let [right, down] = Body::Cylinder(rod.cylinder).normal(x, y)?;
+        let sine2 = right * right + down * down;
+        let normal = (sine2 < 1.0).then(|| Vec3::new(right, -down, (1.0 - sine2).sqrt()))?;
+        Some(self.mirrored_at(&normal, &Vec3::z(), &rod.metal))
+    }
+
+    /// The surroundings in a mirror of this normal, both directions in the camera's axes.
+    fn mirrored_at(&self, normal: &Vec3, to_camera: &Vec3, metal: &ReflectanceTable) -> Rgb {
+        let cosine = normal.dot(to_camera);
         let direction = self.tilted(&(normal * (2.0 * cosine) - to_camera));
-        let incoming = self.surroundings(&self.tilted(&normal), &direction);
-        Some(incoming * ball.metal.at(cosine))
+        self.surroundings(&self.tilted(normal), &direction) * metal.at(cosine)
     }
 
     /// From the camera's axes to the world's.
@@ -202,6 +226,7 @@ mod tests {
             floor: None,
             pitch_deg: 0.0,
             balls: vec![ball],
+            rods: Vec::new(),
             patches: Vec::new(),
             rays: 1,
         };

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 
 use edgewise::color::{Rgb, RgbSpace};
 use edgewise::metal::{ReflectanceTable, metal_by_name};
-use edgewise::photo::{Area, Card, Circle, Match, MatchRequest, Photo, WarningCode, solve};
-use edgewise::sample::{Ball, Camera, Dome, Patch, Scene, Tent, Truth, Vec3, camera_jpeg, linear_png};
+use edgewise::photo::{Area, Card, Circle, Cylinder, Match, MatchRequest, Photo, WarningCode, solve};
+use edgewise::sample::{Ball, Camera, Dome, Patch, Rod, Scene, Tent, Truth, Vec3, camera_jpeg, linear_png};
 
 /// How a picture reaches the solver.
 #[derive(Clone, Copy)]
@@ -26,6 +26,8 @@ pub struct Studio {
     pub metal: &'static str,
     pub tent: Tent,
     pub circle: Circle,
+    /// Instead of the ball.
+    pub cylinder: Option<Cylinder>,
     pub camera: Camera,
     pub camera_distance: f64,
     pub size: [u32; 2],
@@ -45,6 +47,7 @@ impl Default for Studio {
             metal: "chromium",
             tent: Tent::default(),
             circle: Circle::new(130.0, 128.0, 110.0),
+            cylinder: None,
             camera: Camera { exposure: 0.7, blur_px: 0.5, noise: 0.01, seed: 1 },
             camera_distance: f64::INFINITY,
             size: [310, 256],
@@ -94,14 +97,18 @@ impl Studio {
             metal: ReflectanceTable::of(metal_by_name(metal).unwrap()),
             camera_distance: self.camera_distance,
         };
+        let measured = self.cylinder.is_none().then(|| ball(self.circle, self.metal)).into_iter();
         let reference = self.reference.map(|(circle, metal)| ball(circle, metal));
+        let metal = || ReflectanceTable::of(metal_by_name(self.metal).unwrap());
+        let rod = self.cylinder.map(|cylinder| Rod { cylinder, metal: metal() });
         let scene = Scene {
             width,
             height,
             dome,
             floor: None,
             pitch_deg: 0.0,
-            balls: std::iter::once(ball(self.circle, self.metal)).chain(reference).collect(),
+            balls: measured.chain(reference).collect(),
+            rods: rod.into_iter().collect(),
             patches: std::iter::once(card).chain(others).collect(),
             rays: self.rays,
         };
@@ -113,7 +120,8 @@ impl Studio {
     }
 
     pub fn request(&self) -> MatchRequest {
-        MatchRequest { circle: Some(self.circle), cards: vec![self.card()], ..MatchRequest::default() }
+        let circle = self.cylinder.is_none().then_some(self.circle);
+        MatchRequest { circle, cylinder: self.cylinder, cards: vec![self.card()], ..MatchRequest::default() }
     }
 
     pub fn solve(&self) -> Match {

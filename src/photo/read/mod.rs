@@ -12,6 +12,7 @@ mod exr;
 mod hdr;
 mod icc;
 mod jpeg;
+mod jpeg_small;
 mod limits;
 mod png;
 mod raw;
@@ -35,10 +36,13 @@ use super::census::Census;
 use super::orientation::Orientation;
 use super::picture::{OpenOptions, Photo, Stored};
 use super::samples::Samples;
-use super::{PhotoErrorKind, Warning, WarningCode};
+use super::{FirstLook, PhotoErrorKind, Warning, WarningCode};
 
 /// Hears the fraction that is done, and may stop the work.
 type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
+
+/// Hears a first look, from another thread, before the photograph is there.
+pub(super) type Look<'a> = &'a mut (dyn FnMut(FirstLook) + Send);
 
 /// What a reader of a format hands over.
 struct Decoded {
@@ -69,11 +73,12 @@ pub(super) fn file_bytes(path: &Path) -> Result<Vec<u8>, PhotoErrorKind> {
     Ok(bytes)
 }
 
-/// Reads a photograph; the hash is taken at the same time.
+/// Reads a photograph; the hash and a first look are taken at the same time.
 pub(super) fn photo(
     name: &str,
     bytes: &[u8],
     options: &OpenOptions,
+    look: Option<Look<'_>>,
     progress: Progress<'_>,
 ) -> Result<Photo, PhotoErrorKind> {
     if bytes.is_empty() {
@@ -83,8 +88,25 @@ pub(super) fn photo(
     std::thread::scope(|scope| {
         let sha256 = scope.spawn(|| sha256(bytes));
         let format = sniff::format(name, bytes)?;
+        if let (Format::Jpeg, Some(look)) = (format, look) {
+            scope.spawn(move || first_look(bytes, options).map(look));
+        }
         let decoded = decode(format, bytes, options, progress)?;
         Ok(finish(name, sha256.join().expect("hashing does not panic"), decoded, options))
+    })
+}
+
+/// A first look at a JPEG, if one can be had before the whole.
+fn first_look(bytes: &[u8], options: &OpenOptions) -> Option<FirstLook> {
+    /// What is decoded in less than a tenth of a second needs none.
+    const LARGE_SIDE: u32 = 2048;
+    const LOOK_SIDE: u32 = 1024;
+    let small = catch_unwind(AssertUnwindSafe(|| jpeg_small::decode(bytes)));
+    let (decoded, full) = small.ok().flatten()?;
+    let [width, height] = decoded.orientation.size(full);
+    (width.max(height) >= LARGE_SIDE).then(|| {
+        let preview = finish("", String::new(), decoded, options).preview(LOOK_SIDE);
+        FirstLook { width, height, preview }
     })
 }
 

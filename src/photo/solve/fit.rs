@@ -1,8 +1,9 @@
 //! The robust least squares fit of r and h to cells.
 
-use super::cells::{Cell, median};
+use super::cells::Cell;
 use super::region::Regions;
 use crate::fresnel::{SCHLICK_WEIGHT_AT_MAX, Weights};
+use crate::number::median;
 
 /// r and h of one channel, with the weight each cell had in the end.
 #[derive(Clone, Debug, Default)]

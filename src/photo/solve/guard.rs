@@ -1,7 +1,7 @@
 //! What to beware of in a match: one sentence for each trap that is seen.
 
 use super::Measured;
-use super::cells::{Cell, Counts, median};
+use super::cells::{Cell, Counts};
 use super::light::Light;
 use super::outcome::Match;
 use super::region::{Regions, SECTORS};
@@ -9,7 +9,10 @@ use super::shape::MetalCurve;
 use super::view::View;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{CosTheta, gulbrandsen, reachable_h, reflectance_range};
-use crate::photo::{Area, AreaStatistics, LightMode, MatchRequest, Photo, Warning, WarningCode, snap_circle};
+use crate::number::median;
+use crate::photo::{
+    Area, AreaStatistics, Body, LightMode, MatchRequest, Photo, Warning, WarningCode, snap_circle, snap_cylinder,
+};
 
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
@@ -23,17 +26,19 @@ pub(super) fn warnings(
     outcome: &Match,
 ) -> Vec<Warning> {
     let (photo, areas) = (view.photo, areas(view, regions, light));
+    let noun = request.body().map_or("surface", Body::noun);
     let mut warnings = Vec::new();
     warnings.extend(geometry(photo, request, regions));
     warnings.extend(outline(photo, request));
-    warnings.extend(clipped(&measured.counts, &areas));
-    warnings.extend(black(&measured.counts, &areas));
+    warnings.extend(clipped(noun, &measured.counts, &areas));
+    warnings.extend(black(noun, &measured.counts, &areas));
     warnings.extend(two_colours(&areas));
     warnings.extend(small_ball(request));
     warnings.extend(uneven(request, measured, outcome));
     warnings.extend(mirrored_backdrop(request, measured));
     warnings.extend(infeasible(outcome));
     warnings.extend(gamut(outcome));
+    warnings.extend(beyond_greys(view, light, measured));
     warnings.extend(estimate(photo, request, outcome));
     warnings
 }
@@ -46,8 +51,8 @@ pub(super) fn area_warnings(
     outcome: &Match,
 ) -> Vec<Warning> {
     let counts = Counts::default();
-    let mut warnings = clipped(&counts, areas);
-    warnings.extend(black(&counts, areas));
+    let mut warnings = clipped("mirror", &counts, areas);
+    warnings.extend(black("mirror", &counts, areas));
     warnings.extend(two_colours(areas));
     warnings.extend(infeasible(outcome));
     warnings.extend(gamut(outcome));
@@ -65,26 +70,31 @@ fn areas(view: &View, regions: &Regions, light: &Light) -> Vec<(&'static str, Ar
     cards.chain(facing).chain(edge).collect()
 }
 
-/// A circle this far from the ball's edge, in pixels plus a share of the radius, was not placed on it.
+/// An outline this far from the body's edge, in pixels plus a share of the radius, was not placed on it.
 const MISPLACED: (f64, f64) = (1.5, 0.01);
 
-/// What the edge in the picture says of the circle; nothing where no edge is clear.
-fn outline(photo: &Photo, request: &MatchRequest) -> Option<Warning> {
-    let circle = request.circle?;
-    let found = snap_circle(photo, circle).ok()?;
-    let error = (found.circle.radius - circle.radius).abs();
-    let misplaced = (error > MISPLACED.0 + MISPLACED.1 * circle.radius).then(|| {
-        let (radius, better) = (circle.radius, found.circle.radius);
-        let message = format!("The circle's radius is {radius:.1} pixels, but the edge is at {better:.1}: snap it.");
+/// What the edge in the picture says of the outline; nothing where no edge is clear.
+fn outline(photo: &Photo, request: &MatchRequest) -> Vec<Warning> {
+    let found = request.body().and_then(|body| match body {
+        Body::Ball(circle) => snap_circle(photo, circle).ok().map(|found| (body, found.circle.radius, found.warning())),
+        Body::Cylinder(cylinder) => {
+            snap_cylinder(photo, cylinder).ok().map(|found| (body, found.cylinder.radius, found.warning()))
+        }
+    });
+    let Some((body, better, warning)) = found else { return Vec::new() };
+    let radius = body.radius();
+    let misplaced = ((better - radius).abs() > MISPLACED.0 + MISPLACED.1 * radius).then(|| {
+        let noun = body.noun();
+        let message = format!("The {noun}'s radius is {radius:.1} pixels, but the edge is at {better:.1}: snap it.");
         Warning::new(WarningCode::Geometry, message)
     });
-    misplaced.or_else(|| found.warning())
+    misplaced.into_iter().chain(warning).collect()
 }
 
 fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<Warning> {
     let mut messages = Vec::new();
-    if request.circle.is_some_and(|circle| !circle.is_inside(photo.width, photo.height)) {
-        messages.push("The circle is cut off by the picture; only the part inside is measured.".to_owned());
+    if let Some(body) = request.body().filter(|body| !body.is_inside(photo.width, photo.height)) {
+        messages.push(format!("The {} is cut off by the picture; only the part inside is measured.", body.noun()));
     }
     let cards = request.cards.iter().map(|card| ("card", card.area));
     let picks = [("facing area", request.facing), ("edge area", request.edge)];
@@ -96,25 +106,25 @@ fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<War
     }
     for (name, region) in [("facing area", &regions.inner), ("edge area", &regions.outer)] {
         if let Some(region) = region
-            && region.leaves_ball(photo)
+            && region.leaves_body(photo)
         {
-            messages.push(format!("The {name} leaves the ball; only the part inside its outline is measured."));
+            messages.push(format!("The {name} leaves the outline; only the part inside it is measured."));
         }
     }
     messages.into_iter().map(|message| Warning::new(WarningCode::Geometry, message)).collect()
 }
 
-fn clipped(counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+fn clipped(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
     let in_areas = areas.iter().flat_map(|(name, statistics)| {
-        (0..3).filter(|&i| statistics.is_clipped(i)).map(|i| (*name, CHANNELS[i])).collect::<Vec<_>>()
+        (0..3).filter(|&i| statistics.is_clipped(i)).map(|i| ((*name).to_owned(), CHANNELS[i])).collect::<Vec<_>>()
     });
-    let bands = [("middle of the ball", 0), ("rim of the ball", 1)];
+    let bands = [(format!("middle of the {noun}"), 0), (format!("rim of the {noun}"), 1)];
     let is_picked = |name: &str| areas.iter().any(|area| area.0 == name);
     let in_bands = bands.into_iter().filter(|(_, stratum)| !is_picked(["facing area", "edge area"][*stratum]));
     let in_bands = in_bands.flat_map(|(name, stratum)| {
-        (0..3).filter(move |&i| counts.is_clipped(stratum, i)).map(move |i| (name, CHANNELS[i]))
+        (0..3).filter(move |&i| counts.is_clipped(stratum, i)).map(move |i| (name.clone(), CHANNELS[i]))
     });
-    let message = |(name, channel): (&str, &str)| {
+    let message = |(name, channel): (String, &str)| {
         format!("The {channel} channel is clipped in the {name}: it has no value there. Expose less.")
     };
     in_areas.chain(in_bands).map(|place| Warning::new(WarningCode::Clipped, message(place))).collect()
@@ -123,16 +133,16 @@ fn clipped(counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
 /// Signal below this many times its scatter is no measurement.
 const LEAST_SIGNAL_TO_NOISE: f64 = 5.0;
 
-fn black(counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+fn black(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
     let is_dark = |s: &AreaStatistics| {
         let drowns = |i: usize| s.trimmed_mean[i] < LEAST_SIGNAL_TO_NOISE * s.standard_deviation[i];
         2 * s.black > s.pixels || (0..3).all(drowns)
     };
     let dark_band = (0..2).any(|stratum| 2 * counts.black[stratum] > counts.pixels[stratum]);
     let names = areas.iter().filter(|(_, s)| is_dark(s)).map(|(name, _)| *name);
-    let ball = (dark_band && areas.iter().all(|(_, s)| !is_dark(s))).then_some("ball");
+    let body = (dark_band && areas.iter().all(|(_, s)| !is_dark(s))).then_some(noun);
     let message = |name: &str| format!("The {name} is too dark to measure: expose more.");
-    names.chain(ball).map(|name| Warning::new(WarningCode::Black, message(name))).collect()
+    names.chain(body).map(|name| Warning::new(WarningCode::Black, message(name))).collect()
 }
 
 fn two_colours(areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
@@ -157,10 +167,11 @@ fn two_colours(areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
 const SMALL_RADIUS_PX: f64 = 60.0;
 
 fn small_ball(request: &MatchRequest) -> Option<Warning> {
-    let radius = request.circle?.radius;
+    let body = request.body()?;
+    let (noun, radius) = (body.noun(), body.radius());
     (radius < SMALL_RADIUS_PX).then(|| {
         let message = format!(
-            "The ball's radius is {radius:.0} pixels; below {SMALL_RADIUS_PX:.0} trust r only, h is of low confidence."
+            "The {noun}'s radius is {radius:.0} pixels; below {SMALL_RADIUS_PX:.0} trust r only, h is of low confidence."
         );
         Warning::new(WarningCode::SmallBall, message)
     })
@@ -174,11 +185,11 @@ const RESIDUAL_OVER_NOISE: f64 = 3.0;
 const MODEL_RESIDUAL: f64 = 0.01;
 
 fn uneven(request: &MatchRequest, measured: &Measured, outcome: &Match) -> Option<Warning> {
-    request.circle?;
+    let body = request.body()?;
     let change = (0..3).map(|i| azimuth_change(&measured.all[i], &measured.curve, i)).fold(0.0, f64::max);
     let is_scattered = (0..3).any(|i| outcome.residual[i] > RESIDUAL_OVER_NOISE * outcome.noise[i].max(MODEL_RESIDUAL));
     let seen = if change > AZIMUTH_CHANGE {
-        format!("the reflection changes by {:.0} % around the ball", change * 100.0)
+        format!("the reflection changes by {:.0} % around the {}", change * 100.0, body.noun())
     } else if is_scattered {
         "the reflection is patchy".to_owned()
     } else {
@@ -227,7 +238,7 @@ fn mirrored_backdrop(request: &MatchRequest, measured: &Measured) -> Option<Warn
 
 /// True when the band of a ball's rim shows the backdrop instead of the light.
 pub(super) fn mirrors_backdrop(request: &MatchRequest, measured: &Measured) -> bool {
-    request.circle.is_some() && request.edge.is_none() && falls_at_rim(measured)
+    request.body().is_some() && request.edge.is_none() && falls_at_rim(measured)
 }
 
 /// True when, in at least two channels, the outermost rings are darker than the inner rings of the outer
@@ -301,6 +312,22 @@ fn gamut(outcome: &Match) -> Option<Warning> {
             outcome.space.label()
         );
         Warning::new(WarningCode::Gamut, message)
+    })
+}
+
+/// A grey scale says nothing of what is brighter than its brightest patch.
+fn beyond_greys(view: &View, light: &Light, measured: &Measured) -> Option<Warning> {
+    let is_beyond = |i: usize| {
+        let (fit, level) = (&measured.curve.fits[i], light.value[i].unwrap_or(1.0));
+        [fit.r, fit.h].into_iter().flatten().any(|value| view.is_beyond_greys(value * level))
+    };
+    let channels: Vec<&str> = (0..3).filter(|&i| is_beyond(i)).map(|i| CHANNELS[i]).collect();
+    (!channels.is_empty()).then(|| {
+        let message = format!(
+            "The metal is brighter than the brightest grey patch ({}): there the tone curve is extended, which widens ±.",
+            channels.join(", ")
+        );
+        Warning::new(WarningCode::Assumed, message)
     })
 }
 

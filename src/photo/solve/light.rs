@@ -105,8 +105,8 @@ impl Light {
     }
 
     fn from_reference(view: &View, request: &MatchRequest) -> Result<Self, MatchError> {
-        let needs = "a ball of a known metal and the ball to measure";
-        let ball = request.reference_ball.as_ref().filter(|_| request.circle.is_some());
+        let needs = "a ball of a known metal and the ball or cylinder to measure";
+        let ball = request.reference_ball.as_ref().filter(|_| request.body().is_some());
         let ball = ball.ok_or(MatchError::needs(request.mode, needs))?;
         let field = ReferenceField::of(ball)?;
         let statistics = view.statistics(Area::disc(ball.circle.x, ball.circle.y, ball.circle.ring_radius(40.0)));

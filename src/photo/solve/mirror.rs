@@ -42,7 +42,8 @@ pub(super) fn solve_mirrors(view: &View, request: &MatchRequest, space: RgbSpace
         budget.angle[channel] = [change(r, turned_r), change(h, turned_h)];
         budget.sample[channel] = of(sample);
         budget.light[channel] = of(light);
-        budget.transfer[channel] = of(view.tone_uncertainty());
+        let brightest = ratios.iter().map(|ratio| ratio.direct.trimmed_mean[channel]).fold(0.0, f64::max);
+        budget.transfer[channel] = of(view.tone_uncertainty(channel, brightest));
         BallFit { r, h, ..BallFit::default() }
     });
     let is_usable = |channel: usize| ratios.iter().all(|ratio| ratio.is_usable(channel));

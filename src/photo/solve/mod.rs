@@ -1,8 +1,8 @@
 //! From marks in a photograph to r and h.
 //!
 //! A pixel of a ball is L · (A r + B h + C) with weights that depend on the angle alone, so r and h
-//! are a linear least squares fit once the light L is known. [`light`] says what L is, [`cells`] reads
-//! the pixels, [`fit`] solves, [`shape`] takes off what real metals have beyond, [`uncertainty`] says how well, [`guard`] what to beware of.
+//! are a linear least squares fit once the light L is known. [`light`] says what L is, [`readings`] reads
+//! the pixels into [`cells`], [`fit`] solves, [`shape`] takes off what real metals have beyond, [`uncertainty`] says how well, [`guard`] what to beware of.
 
 mod cells;
 mod fit;
@@ -10,6 +10,7 @@ mod guard;
 mod light;
 mod mirror;
 mod outcome;
+mod readings;
 mod reference;
 mod region;
 mod rendition;
@@ -23,9 +24,10 @@ pub use rendition::{Rendition, RenditionError};
 
 use super::{LightMode, MatchRequest, Photo, Recipe};
 use crate::color::{Rgb, RgbSpace};
-use cells::{Cell, Outliers, gather};
+use cells::{Cell, Outliers};
 use fit::{BallFit, Unknowns, fit};
 use light::Light;
+use readings::Readings;
 use region::Regions;
 use shape::{ConductorShape, MetalCurve};
 use view::View;
@@ -38,14 +40,19 @@ pub fn solve(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<M
 }
 
 fn solve_marks(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<Match, MatchError> {
+    if request.circle.is_some() && request.cylinder.is_some() {
+        return Err(MatchError::TwoBodies);
+    }
     let view = View::of(photo, request)?;
     if request.mode == LightMode::FlatMirror {
         return mirror::solve_mirrors(&view, request, space);
     }
     let light = Light::of(&view, request)?;
     let regions = Regions::of(&view, request)?;
-    let measured = measure(&view, &regions, &light);
-    let uncertainty = uncertainty::of(&view, request, &regions, &light, &measured);
+    let readings = Readings::of(&view, &regions, &light);
+    let measured = measure(&readings, &regions);
+    let noise = readings.noise(&measured.curve);
+    let uncertainty = uncertainty::of(&view, request, &regions, &light, &measured, noise);
     let mut outcome = Match::new(request, space, &light, &measured, &uncertainty);
     outcome.warnings = guard::warnings(&view, request, &regions, &light, &measured, &outcome);
     Ok(outcome)
@@ -68,14 +75,14 @@ struct Measured {
     counts: cells::Counts,
 }
 
-/// Reads the regions three times: for a first fit, for the scatter around it, and without outliers.
-fn measure(view: &View, regions: &Regions, light: &Light) -> Measured {
-    let (all, counts) = gather(view, regions, light, None);
+/// Goes over what was read three times: for a first fit, for the scatter around it, and without outliers.
+fn measure(readings: &Readings, regions: &Regions) -> Measured {
+    let all = readings.cells(None);
     let (first, _) = fit_metal(&all, regions);
-    let outliers = Outliers::around(view, regions, light, first);
-    let (kept, _) = gather(view, regions, light, Some(&outliers));
+    let noise = readings.noise(&first);
+    let kept = readings.cells(Some(&Outliers::around(first, noise)));
     let (curve, kept) = fit_metal(&kept, regions);
-    Measured { all, kept, curve, counts }
+    Measured { all, kept, curve, counts: readings.counts }
 }
 
 /// Fits every channel, then again with what a conductor has beyond the two colours taken off the cells.

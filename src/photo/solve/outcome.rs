@@ -210,8 +210,11 @@ fn in_space(
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum MatchError {
     /// No ball and no area.
-    #[error("nothing is marked to measure: mark a ball with a circle, or pick a facing or an edge area")]
+    #[error("nothing is marked to measure: mark a ball or a cylinder, or pick a facing or an edge area")]
     NothingMarked,
+    /// Two outlines.
+    #[error("a ball and a cylinder are marked: keep the one to measure")]
+    TwoBodies,
     /// The mode lacks its reference.
     #[error("the mode “{}” needs {needs}", mode.label())]
     ModeNotMarked {

@@ -28,11 +28,11 @@ impl ReferenceField {
         self.reflectance.at(1.0).0
     }
 
-    /// L where a ball shows `place`: both balls mirror the same direction at the same normal.
+    /// L where a body shows `place`: it and the ball mirror the same direction at the same normal.
     ///
     /// NaN in a channel where one of the four pixels around the spot is missing, clipped or not finite.
     pub fn light(&self, view: &View, place: &Place) -> [f64; 3] {
-        let [u, v] = place.on_ball;
+        let [u, v] = place.normal;
         let (x, y) = (self.circle.x + u * self.circle.radius - 0.5, self.circle.y + v * self.circle.radius - 0.5);
         let (column, row) = (x.floor(), y.floor());
         let (s, t) = (x - column, y - row);

@@ -6,7 +6,7 @@ use super::MatchError;
 use super::view::View;
 use crate::fresnel::{CosTheta, Weights};
 use crate::photo::area::pixel_range;
-use crate::photo::{Area, Circle, LightMode, MatchRequest, Photo};
+use crate::photo::{Area, Body, LightMode, MatchRequest, Photo};
 
 /// Where r shows: the middle of the ball, up to 40°.
 const INNER_DEG: Range<f64> = 0.0..40.0;
@@ -30,7 +30,7 @@ pub(super) struct Regions {
     pub outer: Option<Region>,
 }
 
-/// A band of a ball, or an area a person picked.
+/// A band of a body, or an area a person picked.
 #[derive(Debug)]
 pub(super) struct Region {
     shape: Shape,
@@ -39,10 +39,10 @@ pub(super) struct Region {
 
 #[derive(Clone, Copy, Debug)]
 enum Shape {
-    /// A ring of a ball between two radii over the ball's.
-    Band { circle: Circle, from_rho: f64, to_rho: f64 },
-    /// An area on a ball, where the outline gives the angles.
-    OnBall { area: Area, circle: Circle, margin: f64 },
+    /// A band of a body between two angles, as their sines.
+    Band { body: Body, from_rho: f64, to_rho: f64 },
+    /// An area on a body, where the outline gives the angles.
+    OnBody { area: Area, body: Body, margin: f64 },
     /// An area of one known angle.
     Flat { area: Area, facing: CosTheta },
 }
@@ -54,8 +54,8 @@ pub(super) struct Place {
     pub ring: usize,
     pub weights: Weights,
     pub cosine: f64,
-    /// Offset from the ball's centre over its radius, right and down; zero beside a ball.
-    pub on_ball: [f64; 2],
+    /// The surface normal, right and down; zero where there is no outline.
+    pub normal: [f64; 2],
 }
 
 impl Regions {
@@ -64,7 +64,7 @@ impl Regions {
 
     /// A picked area where there is one, else the band of the ball.
     pub fn of(view: &View, request: &MatchRequest) -> Result<Self, MatchError> {
-        let regions = Self::with_circle(request, request.circle);
+        let regions = Self::with_body(request, request.body());
         if regions.inner.is_none() && regions.outer.is_none() {
             return Err(MatchError::NothingMarked);
         }
@@ -72,7 +72,7 @@ impl Regions {
             if let Some(region) = region
                 && region.pixels(view.photo).next().is_none()
             {
-                let what = if region.is_band() { "ball" } else { what };
+                let what = if let Shape::Band { body, .. } = region.shape { body.noun() } else { what };
                 return Err(MatchError::NoPixels { what });
             }
         }
@@ -80,12 +80,12 @@ impl Regions {
     }
 
     /// The same regions for another outline: what an error of the radius does.
-    pub fn with_circle(request: &MatchRequest, circle: Option<Circle>) -> Self {
-        let margin = margin(request, circle);
-        let region = |picked: Option<Area>, band_deg: Range<f64>, facing: CosTheta| match (picked, circle) {
-            (Some(area), Some(circle)) => Some(Region::new(Shape::OnBall { area, circle, margin })),
+    pub fn with_body(request: &MatchRequest, body: Option<Body>) -> Self {
+        let margin = margin(request, body);
+        let region = |picked: Option<Area>, band_deg: Range<f64>, facing: CosTheta| match (picked, body) {
+            (Some(area), Some(body)) => Some(Region::new(Shape::OnBody { area, body, margin })),
             (Some(area), None) => Some(Region::new(Shape::Flat { area, facing })),
-            (None, Some(circle)) => Some(Region::new(Shape::band(circle, band_deg, margin))),
+            (None, Some(body)) => Some(Region::new(Shape::band(body, band_deg, margin))),
             (None, None) => None,
         };
         if request.mode == LightMode::Backdrop {
@@ -97,35 +97,35 @@ impl Regions {
         }
     }
 
-    /// The middle of a ball, and all from 55° to its outline less the margin.
-    pub fn to_the_rim(circle: Circle) -> Self {
-        let band = |band_deg| Some(Region::new(Shape::band(circle, band_deg, Self::RIM_MARGIN_PX / circle.radius)));
+    /// The middle of a body, and all from 55° to its outline less the margin.
+    pub fn to_the_rim(body: Body) -> Self {
+        let band = |band_deg| Some(Region::new(Shape::band(body, band_deg, Self::RIM_MARGIN_PX / body.radius())));
         Self { inner: band(INNER_DEG), outer: band(OUTER_DEG.start..90.0) }
     }
 }
 
-/// The margin inside the outline as a share of the radius: that of the smaller of the balls that are read.
-fn margin(request: &MatchRequest, circle: Option<Circle>) -> f64 {
+/// The margin inside the outline as a share of the radius: that of the smaller of the bodies that are read.
+fn margin(request: &MatchRequest, body: Option<Body>) -> f64 {
     let reference = request.reference_ball.as_ref().filter(|_| request.mode == LightMode::ReferenceBall);
-    let radii = circle.into_iter().chain(reference.map(|ball| ball.circle)).map(|circle| circle.radius);
+    let radii = body.map(Body::radius).into_iter().chain(reference.map(|ball| ball.circle.radius));
     Regions::RIM_MARGIN_PX / radii.fold(f64::INFINITY, f64::min)
 }
 
 impl Shape {
-    fn band(circle: Circle, band_deg: Range<f64>, margin: f64) -> Self {
+    fn band(body: Body, band_deg: Range<f64>, margin: f64) -> Self {
         let rho = |angle_deg: f64| angle_deg.to_radians().sin();
         let to_rho = rho(band_deg.end).min(1.0 - margin);
-        Self::Band { circle, from_rho: rho(band_deg.start), to_rho }
+        Self::Band { body, from_rho: rho(band_deg.start), to_rho }
     }
 }
 
 impl Region {
     fn new(shape: Shape) -> Self {
-        let radial = shape.circle().map(RadialTable::of);
+        let radial = shape.body().map(|body| RadialTable::of(body.radius()));
         Self { shape, radial }
     }
 
-    /// True for a band of a ball, false for a picked area.
+    /// True for a band of a body, false for a picked area.
     pub fn is_band(&self) -> bool {
         matches!(self.shape, Shape::Band { .. })
     }
@@ -134,7 +134,7 @@ impl Region {
     pub fn picked(&self) -> Option<Area> {
         match self.shape {
             Shape::Band { .. } => None,
-            Shape::OnBall { area, .. } | Shape::Flat { area, .. } => Some(area),
+            Shape::OnBody { area, .. } | Shape::Flat { area, .. } => Some(area),
         }
     }
 
@@ -145,61 +145,61 @@ impl Region {
 
     /// The pixels of a picture that belong to it, each with its place.
     pub fn pixels(&self, photo: &Photo) -> impl Iterator<Item = (u32, u32, Place)> {
-        let [x, y, width, height] = self.shape.bounds();
-        let stride = self.shape.stride();
-        let columns = pixel_range(x, width, photo.width).step_by(stride);
-        let rows = pixel_range(y, height, photo.height).step_by(stride);
-        let pixels = rows.flat_map(move |row| columns.clone().map(move |column| (column, row)));
-        pixels.filter_map(|(column, row)| {
+        self.rows(photo).flat_map(move |row| self.pixels_of_row(photo, row))
+    }
+
+    /// The rows of a picture that may hold pixels of it.
+    pub fn rows(&self, photo: &Photo) -> impl Iterator<Item = u32> + use<> {
+        let [_, y, _, height] = self.shape.bounds();
+        pixel_range(y, height, photo.height).step_by(self.shape.stride())
+    }
+
+    /// The pixels of one row.
+    pub fn pixels_of_row(&self, photo: &Photo, row: u32) -> impl Iterator<Item = (u32, u32, Place)> + use<'_> {
+        let [x, _, width, _] = self.shape.bounds();
+        let columns = pixel_range(x, width, photo.width).step_by(self.shape.stride());
+        columns.filter_map(move |column| {
             let place = self.place(f64::from(column) + 0.5, f64::from(row) + 0.5)?;
             Some((column, row, place))
         })
     }
 
-    /// True when part of a picked area lies beside the ball.
-    pub fn leaves_ball(&self, photo: &Photo) -> bool {
+    /// True when part of a picked area lies beside the body.
+    pub fn leaves_body(&self, photo: &Photo) -> bool {
         let is_outside = |(column, row)| self.place(f64::from(column) + 0.5, f64::from(row) + 0.5).is_none();
         self.picked().is_some_and(|area| area.pixels(photo.width, photo.height).any(is_outside))
     }
 
     fn place(&self, x: f64, y: f64) -> Option<Place> {
         match self.shape {
-            Shape::Band { circle, from_rho, to_rho } => {
-                let rho = circle.rho(x, y);
-                (from_rho..to_rho).contains(&rho).then(|| {
-                    let share = if from_rho > 0.0 {
-                        (rho.asin() - from_rho.asin()) / (to_rho.asin() - from_rho.asin())
-                    } else {
-                        (rho / to_rho).powi(2)
-                    };
-                    Place {
-                        block: sector(circle, x, y),
-                        ring: ring(share),
-                        weights: self.weights_at(rho),
-                        cosine: cosine(rho),
-                        on_ball: [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius],
-                    }
-                })
+            Shape::Band { body, from_rho, to_rho } => {
+                let rho = body.sine(x, y).filter(|rho| (from_rho..to_rho).contains(rho))?;
+                let share = if from_rho > 0.0 {
+                    (rho.asin() - from_rho.asin()) / (to_rho.asin() - from_rho.asin())
+                } else {
+                    body.area_share(rho, to_rho)
+                };
+                Some(self.place_on(body, body.part(x, y, SECTORS), ring(share), (x, y)))
             }
-            Shape::OnBall { area, circle, margin } => {
-                let rho = circle.rho(x, y);
-                let is_on_ball = rho < 1.0 - margin;
-                (is_on_ball && area.contains(x, y)).then(|| Place {
-                    block: tile(area, x, y),
-                    ring: ring(rho * rho),
-                    weights: self.weights_at(rho),
-                    cosine: cosine(rho),
-                    on_ball: [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius],
-                })
+            Shape::OnBody { area, body, margin } => {
+                let rho = body.sine(x, y).filter(|rho| *rho < 1.0 - margin)?;
+                let ring = ring(body.area_share(rho, 1.0));
+                area.contains(x, y).then(|| self.place_on(body, tile(area, x, y), ring, (x, y)))
             }
             Shape::Flat { area, facing } => area.contains(x, y).then(|| Place {
                 block: tile(area, x, y),
                 ring: 0,
                 weights: Weights::at(facing),
                 cosine: facing.get(),
-                on_ball: [0.0; 2],
+                normal: [0.0; 2],
             }),
         }
+    }
+
+    fn place_on(&self, body: Body, block: usize, ring: usize, (x, y): (f64, f64)) -> Place {
+        let normal = body.normal(x, y).unwrap_or_default();
+        let rho = normal[0].hypot(normal[1]);
+        Place { block, ring, weights: self.weights_at(rho), cosine: cosine(rho), normal }
     }
 
     fn weights_at(&self, rho: f64) -> Weights {
@@ -208,9 +208,9 @@ impl Region {
 }
 
 impl Shape {
-    fn circle(self) -> Option<Circle> {
+    fn body(self) -> Option<Body> {
         match self {
-            Self::Band { circle, .. } | Self::OnBall { circle, .. } => Some(circle),
+            Self::Band { body, .. } | Self::OnBody { body, .. } => Some(body),
             Self::Flat { .. } => None,
         }
     }
@@ -225,13 +225,13 @@ impl Shape {
 
     fn bounds(self) -> [f64; 4] {
         match self {
-            Self::Band { circle, .. } => Area::from(circle).bounds(),
-            Self::OnBall { area, .. } | Self::Flat { area, .. } => area.bounds(),
+            Self::Band { body, .. } => body.bounds(),
+            Self::OnBody { area, .. } | Self::Flat { area, .. } => area.bounds(),
         }
     }
 }
 
-/// cos θ where a ball shows sin θ = ρ.
+/// cos θ of sin θ = ρ.
 fn cosine(rho: f64) -> f64 {
     (1.0 - rho * rho).max(0.0).sqrt()
 }
@@ -239,11 +239,6 @@ fn cosine(rho: f64) -> f64 {
 /// Rings of equal area, so that each weighs as much as it shows.
 fn ring(share: f64) -> usize {
     ((share * RINGS as f64) as usize).min(RINGS - 1)
-}
-
-fn sector(circle: Circle, x: f64, y: f64) -> usize {
-    let turn = (y - circle.y).atan2(x - circle.x) / std::f64::consts::TAU + 0.5;
-    ((turn * SECTORS as f64) as usize).min(SECTORS - 1)
 }
 
 fn tile(area: Area, x: f64, y: f64) -> usize {
@@ -261,9 +256,9 @@ struct RadialTable(Vec<Weights>);
 impl RadialTable {
     const STEPS: usize = 4096;
 
-    fn of(circle: Circle) -> Self {
+    fn of(radius_px: f64) -> Self {
         let rho = |step: usize| (step as f64 / Self::STEPS as f64).sqrt();
-        Self((0..=Self::STEPS).map(|step| footprint_mean(rho(step), 1.0 / circle.radius)).collect())
+        Self((0..=Self::STEPS).map(|step| footprint_mean(rho(step), 1.0 / radius_px)).collect())
     }
 
     /// Linear in ρ² between the steps: that is where angles crowd.
@@ -289,6 +284,7 @@ fn footprint_mean(rho: f64, pixel: f64) -> Weights {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::photo::Circle;
 
     #[test]
     fn the_footprint_shrinks_to_the_point() {
@@ -296,7 +292,7 @@ mod tests {
             let rho = angle_deg.to_radians().sin();
             let point = Weights::at(CosTheta::from_deg(angle_deg));
             assert!((footprint_mean(rho, 1e-9).of_h - point.of_h).abs() < 1e-6);
-            assert!((RadialTable::of(Circle::new(0.0, 0.0, 1e6)).at(rho).of_h - point.of_h).abs() < 1e-3);
+            assert!((RadialTable::of(1e6).at(rho).of_h - point.of_h).abs() < 1e-3);
         }
     }
 
@@ -305,7 +301,7 @@ mod tests {
         let photo = Photo::from_linear("test", 60, 60, vec![[1.0; 3]; 3600]);
         let circle = Circle::new(30.0, 30.0, 25.0);
         let request = MatchRequest { circle: Some(circle), ..MatchRequest::default() };
-        let regions = Regions::with_circle(&request, request.circle);
+        let regions = Regions::with_body(&request, request.body());
         let farthest = |region: &Option<Region>| {
             let rho = |(x, y, _)| circle.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
             region.as_ref().unwrap().pixels(&photo).map(rho).fold(0.0, f64::max)

@@ -175,7 +175,8 @@ impl Scene {
                 let rho = Some(circle.rho(x, y)).filter(|rho| *rho < 1.0)?;
                 let angle = CosTheta::new((1.0 - rho * rho).sqrt());
                 let on_ball = [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius];
-                let place = Place { block: 0, ring: 0, weights: Weights::at(angle), cosine: angle.get(), on_ball };
+                let place =
+                    Place { block: 0, ring: 0, weights: Weights::at(angle), cosine: angle.get(), normal: on_ball };
                 let is_sure = (1.0 - rho) * circle.radius > Regions::RIM_MARGIN_PX;
                 Some((angle, self.light.at(view, &place), is_sure))
             }

@@ -3,12 +3,14 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::MatchError;
-use super::cells::{Cell, gather};
+use super::cells::Cell;
 use super::light::Light;
+use super::readings::Readings;
 use super::region::{Regions, SECTORS};
 use super::shape::ConductorShape;
 use super::view::View;
 use crate::color::Rgb;
+use crate::number::median;
 use crate::photo::MatchRequest;
 use crate::photo::statistics::jackknife_error;
 
@@ -18,13 +20,13 @@ const NEEDED_DEG: f64 = 85.0;
 /// L from a fit of r L, h L and L to the whole ball; the light's colour is the request's, white if it has none.
 pub(super) fn solved_light(view: &View, request: &MatchRequest) -> Result<Light, MatchError> {
     let needs = "a ball large and sharp enough to show 85°: at least 400 pixels in radius";
-    let circle = request.circle.ok_or(MatchError::needs(request.mode, needs))?;
-    if circle.radius - Regions::RIM_MARGIN_PX < circle.ring_radius(NEEDED_DEG) {
+    let body = request.body().ok_or(MatchError::needs(request.mode, needs))?;
+    if body.radius() - Regions::RIM_MARGIN_PX < body.ring_radius(NEEDED_DEG) {
         return Err(MatchError::needs(request.mode, needs));
     }
     let colour = request.light.filter(|light| light.is_finite() && light.min_channel() > 0.0).unwrap_or(Rgb::WHITE);
-    let regions = Regions::to_the_rim(circle);
-    let (cells, _) = gather(view, &regions, &Light::even(colour.0.map(Some), [0.0; 3]), None);
+    let regions = Regions::to_the_rim(body);
+    let cells = Readings::of(view, &regions, &Light::even(colour.0.map(Some), [0.0; 3])).cells(None);
     let weights = cells.each_ref().map(|cells| first_weights(cells));
     let level = solve(&cells, &weights).ok_or(MatchError::DarkReference { what: "ball" })?;
     let blocks = (0..SECTORS).filter_map(|sector| solve(&cells, &without(&cells, &weights, sector)));
@@ -38,7 +40,7 @@ pub(super) fn solved_light(view: &View, request: &MatchRequest) -> Result<Light,
 fn first_weights(cells: &[Cell]) -> Vec<f64> {
     let ring_median = |cell: &Cell| {
         let same = cells.iter().filter(|other| (other.stratum, other.ring) == (cell.stratum, cell.ring));
-        super::cells::median(&mut same.map(|other| other.reflectance).collect::<Vec<_>>())
+        median(&mut same.map(|other| other.reflectance).collect::<Vec<_>>())
     };
     cells.iter().map(|cell| if (cell.reflectance / ring_median(cell) - 1.0).abs() < 0.1 { 1.0 } else { 0.0 }).collect()
 }

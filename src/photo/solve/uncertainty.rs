@@ -1,9 +1,10 @@
 //! How well r and h are known: each source on its own.
 
-use super::cells::{Cell, gather, noise};
+use super::cells::Cell;
 use super::fit::{BallFit, Unknowns, least_squares};
 use super::light::Light;
 use super::outcome::UncertaintyBudget;
+use super::readings::Readings;
 use super::region::{RINGS, Regions};
 use super::view::View;
 use super::{Measured, fit_metal};
@@ -26,21 +27,21 @@ pub(super) fn of(
     regions: &Regions,
     light: &Light,
     measured: &Measured,
+    noise: [f64; 3],
 ) -> Uncertainty {
     let each = |f: &dyn Fn(usize) -> [f64; 2]| std::array::from_fn(f);
-    let transfer = view.tone_uncertainty();
+    let transfer = |i: usize| {
+        let level = light.value[i].unwrap_or(1.0);
+        pair(&measured.curve.fits[i]).map(|value| value.abs() * view.tone_uncertainty(i, value * level))
+    };
     let budget = UncertaintyBudget {
         sample: each(&|i| of_sample(&measured.kept[i], &measured.curve.fits[i], regions)),
         model: each(&|i| of_model(&measured.kept[i], &measured.curve.fits[i])),
         light: each(&|i| of_light(&measured.kept[i], &measured.curve.fits[i], regions, light.relative_uncertainty[i])),
         angle: of_angle(view, request, light),
-        transfer: each(&|i| pair(&measured.curve.fits[i]).map(|value| value.abs() * transfer)),
+        transfer: each(&transfer),
     };
-    Uncertainty {
-        budget,
-        noise: noise(view, regions, light, &measured.curve),
-        is_estimate: view.is_estimate() || request.mode == LightMode::ByEye,
-    }
+    Uncertainty { budget, noise, is_estimate: view.is_estimate() || request.mode == LightMode::ByEye }
 }
 
 /// `[r, h]`, 0 for what is not known.
@@ -105,12 +106,11 @@ fn of_light(cells: &[Cell], fit: &BallFit, regions: &Regions, relative: f64) -> 
 
 /// Half the difference between fits with the radius larger and smaller by its uncertainty.
 fn of_angle(view: &View, request: &MatchRequest, light: &Light) -> [[f64; 2]; 3] {
-    let Some(circle) = request.circle else { return [[0.0; 2]; 3] };
-    let error = request.radius_uncertainty_px().min(circle.radius / 2.0);
+    let Some(body) = request.body() else { return [[0.0; 2]; 3] };
+    let error = request.radius_uncertainty_px().min(body.radius() / 2.0);
     let fits = [-error, error].map(|change| {
-        let regions = Regions::with_circle(request, Some(circle.with_radius(circle.radius + change)));
-        let (cells, _) = gather(view, &regions, light, None);
-        fit_metal(&cells, &regions).0.fits
+        let regions = Regions::with_body(request, Some(body.with_radius(body.radius() + change)));
+        fit_metal(&Readings::of(view, &regions, light).cells(None), &regions).0.fits
     });
     let [smaller, larger] = &fits;
     std::array::from_fn(|i| {
@@ -138,7 +138,7 @@ mod tests {
     fn ball() -> Regions {
         let request =
             MatchRequest { circle: Some(crate::photo::Circle::new(0.0, 0.0, 100.0)), ..MatchRequest::default() };
-        Regions::with_circle(&request, request.circle)
+        Regions::with_body(&request, request.body())
     }
 
     #[test]

@@ -45,12 +45,17 @@ impl<'a> View<'a> {
         self.tone.is_some()
     }
 
-    /// Relative standard uncertainty of a value because of the tone curve.
-    pub fn tone_uncertainty(&self) -> f64 {
+    /// True when the grey scale has no patch as bright as this value that was read through it.
+    pub fn is_beyond_greys(&self, value: f64) -> bool {
+        self.tone.as_ref().is_some_and(|tone| tone.is_extended_to(value))
+    }
+
+    /// Relative standard uncertainty of a value that was read in a channel because of the tone curve.
+    pub fn tone_uncertainty(&self, channel: usize, value: f64) -> f64 {
         /// A reflectance read through a camera's unknown tone curve is known to ± 25 %.
         const ASSUMED_TONE_CURVE: f64 = 0.125;
         match &self.tone {
-            Some(tone) => tone.relative_uncertainty,
+            Some(tone) => tone.uncertainty(channel, value),
             None if self.is_estimate() => ASSUMED_TONE_CURVE,
             None => 0.0,
         }

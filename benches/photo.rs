@@ -1,0 +1,257 @@
+//! What a photograph costs: from a file to linear numbers, a picture on the screen, and r and h.
+//!
+//! Times on their own say more of the machine than of the program, so the first lines hold each against the bare
+//! decoder or a plain loop over the same data in the same run: processor time of all threads, the least of several
+//! rounds in turns. The bars: a JPEG to statistics and preview at most 1.35 × its decoder with at most 64 MB beside the
+//! decoded picture; the first look within 0.6 of a decode; a 16-bit TIFF at its decoder's own speed.
+
+#![expect(clippy::print_stdout, reason = "the ratios are what it is run for")]
+
+use std::fs;
+use std::hint::black_box;
+use std::io::Cursor;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use divan::Bencher;
+use edgewise::color::RgbSpace;
+use edgewise::fresnel::{CosTheta, Weights, hoffman};
+use edgewise::photo::{Area, AreaStatistics, Circle, MatchRequest, OpenOptions, Photo, find_ball, snap_circle, solve};
+use rayon::prelude::*;
+use zune_core::bytestream::ZCursor;
+
+fn main() {
+    println!("24 megapixels; processor time of all threads, least of {ROUNDS} rounds");
+    jpeg_ratios();
+    tiff_ratios();
+    println!("a ball of 1 megapixel; processor time of all threads, least of {ROUNDS} rounds");
+    fit_ratios();
+    divan::main();
+}
+
+const WIDTH: u32 = 6000;
+const HEIGHT: u32 = 4000;
+const ROUNDS: usize = 5;
+
+/// What a camera sees, roughly: detail at every scale, with an amplitude in proportion to its size.
+fn value(x: u32, y: u32, channel: u32) -> f64 {
+    let hash = |x: u32, y: u32| {
+        let mixed = (x.wrapping_mul(0x9E37_79B1) ^ y.wrapping_mul(0x85EB_CA77) ^ channel).wrapping_mul(0xC2B2_AE3D);
+        f64::from((mixed ^ (mixed >> 15)).wrapping_mul(0x2545_F491) >> 8) / f64::from(1 << 24)
+    };
+    let octave = |level: u32| {
+        let size = f64::from(1_u32 << level);
+        let (x, y) = (f64::from(x) / size, f64::from(y) / size);
+        let (s, t) = (x.fract(), y.fract());
+        let at = |dx: u32, dy: u32| hash(x as u32 + dx, y as u32 + dy + level * 7919) - 0.5;
+        let top = at(0, 0) * (1.0 - s) + at(1, 0) * s;
+        (top * (1.0 - t) + (at(0, 1) * (1.0 - s) + at(1, 1) * s) * t) * size.powf(0.8)
+    };
+    0.5 + [1, 3, 5, 7, 9].map(octave).iter().sum::<f64>() / 600.0
+}
+
+fn picture() -> Vec<u8> {
+    let row =
+        |y: u32| (0..WIDTH).flat_map(move |x| [0, 1, 2].map(|c| (value(x, y, c) * 255.0).clamp(0.0, 255.0) as u8));
+    (0..HEIGHT).into_par_iter().flat_map_iter(row).collect()
+}
+
+/// Quality 93 with the colours at half resolution, as cameras write it.
+fn jpeg() -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = jpeg_encoder::Encoder::new(&mut file, 93);
+    encoder.set_sampling_factor(jpeg_encoder::SamplingFactor::F_2_2);
+    encoder.encode(&picture(), WIDTH as u16, HEIGHT as u16, jpeg_encoder::ColorType::Rgb).expect("a picture");
+    file
+}
+
+fn tiff16() -> Vec<u8> {
+    let wide: Vec<u16> = picture().into_iter().map(|code| u16::from(code) * 257).collect();
+    let mut file = Cursor::new(Vec::new());
+    let mut encoder = tiff::encoder::TiffEncoder::new(&mut file).expect("memory");
+    encoder.write_image::<tiff::encoder::colortype::RGB16>(WIDTH, HEIGHT, &wide).expect("a picture");
+    file.into_inner()
+}
+
+fn go_on(_: f32) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+fn bare_jpeg(file: &[u8]) -> usize {
+    zune_jpeg::JpegDecoder::new(ZCursor::new(file)).decode().expect("a JPEG").len()
+}
+
+fn bare_tiff(file: &[u8]) -> bool {
+    let limits = tiff::decoder::Limits::unlimited();
+    let mut decoder = tiff::decoder::Decoder::new(Cursor::new(file)).expect("a TIFF").with_limits(limits);
+    matches!(decoder.read_image(), Ok(tiff::decoder::DecodingResult::U16(_)))
+}
+
+/// A whole photograph: what is wrong with it, what a million pixels of it hold, what the screen shows.
+fn ours(name: &str, file: &[u8]) -> f64 {
+    let photo = Photo::from_bytes(name, file, &mut go_on).expect("a photograph");
+    let statistics = AreaStatistics::of(&photo, Area::rectangle(2000.0, 1000.0, 1000.0, 1000.0));
+    black_box(photo.preview(2048));
+    statistics.trimmed_mean[0]
+}
+
+/// Processor time of all threads of this process so far. The system counts in hundredths of a second.
+fn processor_time() -> Duration {
+    let stat = fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let ticks = stat.rsplit(')').next().unwrap_or_default().split_whitespace().skip(11).take(2);
+    Duration::from_millis(10 * ticks.filter_map(|ticks| ticks.parse::<u64>().ok()).sum::<u64>())
+}
+
+/// Processor time of one call, from as many as take a second.
+fn time_of<T>(f: &mut dyn FnMut() -> T) -> Duration {
+    let (start, cpu, mut calls) = (Instant::now(), processor_time(), 0);
+    while calls == 0 || start.elapsed() < Duration::from_secs(1) {
+        black_box(f());
+        calls += 1;
+    }
+    (processor_time() - cpu) / calls
+}
+
+/// The least times of two things in turns.
+fn against<A, B>(mut ours: impl FnMut() -> A, mut bare: impl FnMut() -> B) -> [Duration; 2] {
+    let rounds = (0..ROUNDS).map(|_| [time_of(&mut ours), time_of(&mut bare)]);
+    rounds.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]).unwrap_or_default()
+}
+
+fn print_ratio(what: &str, [ours, bare]: [Duration; 2], than: &str) {
+    let ratio = ours.as_secs_f64() / bare.as_secs_f64();
+    println!("{what}: {ours:.1?}, {ratio:.2} × {than} ({bare:.1?})");
+}
+
+fn jpeg_ratios() {
+    let file = jpeg();
+    println!("JPEG of {:.2} bytes a pixel", file.len() as f64 / f64::from(WIDTH * HEIGHT));
+    let times = against(|| ours("photo.jpg", &file), || bare_jpeg(&file));
+    print_ratio("JPEG to statistics of 1 megapixel and preview", times, "the bare decoder");
+
+    let before = memory("VmRSS");
+    // Makes the kernel forget the largest size so far.
+    let _ = fs::write("/proc/self/clear_refs", "5");
+    black_box(ours("photo.jpg", &file));
+    let beside = memory("VmHWM").saturating_sub(before).saturating_sub(3 * u64::from(WIDTH * HEIGHT));
+    println!("memory beside the decoded picture at most: {} MB", beside / 1_000_000);
+
+    let folder = std::env::temp_dir().join(format!("edgewise-bench-{}", std::process::id()));
+    let _ = fs::create_dir(&folder);
+    let path = folder.join("photo.jpg");
+    fs::write(&path, &file).expect("a folder to write in");
+    first_look(&path);
+    let _ = fs::remove_dir_all(&folder);
+}
+
+/// In seconds on the clock: a person waits for it.
+fn first_look(path: &Path) {
+    let rounds = (0..ROUNDS).map(|_| {
+        let (start, mut seen) = (Instant::now(), Duration::ZERO);
+        let mut look = |_| seen = start.elapsed();
+        Photo::open_showing(path, &OpenOptions::default(), &mut look, &mut go_on).expect("a photograph");
+        [seen, start.elapsed()]
+    });
+    let [seen, whole] = rounds.min_by_key(|[_, whole]| *whole).unwrap_or_default();
+    print_ratio("first look on the clock", [seen, whole], "the whole opening");
+}
+
+fn tiff_ratios() {
+    let file = tiff16();
+    let open = || Photo::from_bytes("photo.tif", &file, &mut go_on).expect("a photograph").width;
+    print_ratio("16-bit TIFF", against(open, || bare_tiff(&file)), "the bare decoder");
+}
+
+/// Bytes, by a line of the system's account of this process.
+fn memory(name: &str) -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(':'));
+    line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok()).unwrap_or_default() * 1024
+}
+
+const BALL: Circle = Circle::new(600.0, 600.0, 564.0);
+
+/// A ball that covers a million pixels, its card beside it.
+fn ball() -> Photo {
+    let pixel = |x: u32, y: u32| {
+        let rho = BALL.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let noise = 0.01 * (value(x, y, 7) - 0.5);
+        let shown = |cosine: f64| [0.6, 0.5, 0.4].map(|r| hoffman(r, r + 0.15, CosTheta::new(cosine)));
+        let metal = if rho < 1.0 { shown((1.0 - rho * rho).sqrt()) } else { [0.3; 3] };
+        if x > 1180 { [0.9; 3] } else { metal.map(|f| (f + noise) as f32) }
+    };
+    let pixels = (0..1200_u32).into_par_iter().flat_map_iter(|y| (0..1250).map(move |x| pixel(x, y))).collect();
+    Photo::from_linear("ball", 1250, 1200, pixels)
+}
+
+fn request() -> MatchRequest {
+    let card = "1190,100,50,200@0.9".parse().expect("a card");
+    MatchRequest { circle: Some(BALL), cards: vec![card], ..MatchRequest::default() }
+}
+
+/// The plain loop: the normal equations of r and h over every pixel of a ball, by the textbook.
+fn plain_loop(pixels: &[(f32, [f32; 3])]) -> [f64; 3] {
+    let mut sums = [[0.0; 5]; 3];
+    for (cosine, reflectance) in pixels {
+        let Weights { of_r: a, of_h: b, of_white } = Weights::at(CosTheta::new(f64::from(*cosine)));
+        for (sums, f) in sums.iter_mut().zip(reflectance) {
+            let y = f64::from(*f) - of_white;
+            for (sum, term) in sums.iter_mut().zip([a * a, a * b, b * b, a * y, b * y]) {
+                *sum += term;
+            }
+        }
+    }
+    sums.map(|[aa, ab, bb, ay, by]| (ay * bb - by * ab) / (aa * bb - ab * ab))
+}
+
+fn fit_ratios() {
+    let (photo, request) = (ball(), request());
+    let place = |i: u32| (f64::from(i % 1250) + 0.5, f64::from(i / 1250) + 0.5);
+    let on_ball = (0..1250 * 1200_u32).filter(|i| BALL.rho(place(*i).0, place(*i).1) < 1.0);
+    let pixels: Vec<(f32, [f32; 3])> = on_ball
+        .filter_map(|i| {
+            let cosine = (1.0 - BALL.rho(place(i).0, place(i).1).powi(2)).sqrt();
+            Some((cosine as f32, photo.pixel(i % 1250, i / 1250)?.rgb.0.map(|v| v as f32)))
+        })
+        .collect();
+    let whole = || solve(&photo, &request, RgbSpace::LinRec709).expect("a match").r[0];
+    let times = against(whole, || plain_loop(black_box(&pixels)));
+    print_ratio("a match with outliers, uncertainty and warnings", times, "one plain fit of all pixels");
+}
+
+#[divan::bench(sample_count = 5, sample_size = 1)]
+fn jpeg_of_24_megapixels(bencher: Bencher) {
+    let file = jpeg();
+    bencher.bench_local(|| ours("photo.jpg", &file));
+}
+
+#[divan::bench]
+fn preview_of_a_linear_picture(bencher: Bencher) {
+    let photo = ball();
+    bencher.bench_local(|| photo.preview(512));
+}
+
+#[divan::bench]
+fn statistics_of_a_megapixel(bencher: Bencher) {
+    let photo = ball();
+    bencher.bench_local(|| AreaStatistics::of(&photo, Area::rectangle(100.0, 100.0, 1000.0, 1000.0)));
+}
+
+#[divan::bench]
+fn outline_that_is_snapped(bencher: Bencher) {
+    let photo = ball();
+    bencher.bench_local(|| snap_circle(&photo, Circle::new(610.0, 590.0, 540.0)));
+}
+
+#[divan::bench]
+fn ball_that_is_found(bencher: Bencher) {
+    let photo = ball();
+    bencher.bench_local(|| find_ball(&photo));
+}
+
+#[divan::bench]
+fn match_of_a_megapixel(bencher: Bencher) {
+    let (photo, request) = (ball(), request());
+    bencher.bench_local(|| solve(&photo, &request, RgbSpace::LinRec709));
+}
