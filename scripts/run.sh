@@ -12,4 +12,4 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     exec cargo run -- --sample gold_tent
 fi
 echo "There is no display (DISPLAY and WAYLAND_DISPLAY are unset), so the command line does the job and no window opens." >&2
-exec cargo run --no-default-features --features cli -- samples --match gold_tent -o out
+exec cargo run --no-default-features --features cli -- samples --match gold_tent -o out --force

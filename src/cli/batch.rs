@@ -1,6 +1,6 @@
 //! `edgewise match` over many photographs: one line of JSON each.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -10,11 +10,13 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
+use super::marks::Marks;
 use super::match_photo::MatchCommand;
 use super::output::{Format, Output, complain, print_line};
 use super::progress::progress_bar;
 use super::usage;
-use crate::photo::{MatchRequest, Untagged};
+use crate::photo::Untagged;
+use crate::preset::Preset;
 
 /// File names that end in one of these are taken for photographs.
 const EXTENSIONS: [&str; 9] = ["png", "jpg", "jpeg", "tif", "tiff", "webp", "exr", "hdr", "pic"];
@@ -28,15 +30,17 @@ pub(super) fn run(command: &MatchCommand) -> anyhow::Result<Output> {
     if photos.is_empty() {
         bail!("there is no photograph in {}", command.photos[0].display());
     }
-    let request = command.marks.request()?;
-    let task = task(command, &request);
+    let marks = command.marks.marks()?;
+    let task = task(command, &marks);
+    let jobs = jobs(command, photos);
+    warnings.extend(renamed(&jobs));
     let mut results = Results::open(command.results.as_deref(), &task)?;
     let bar = progress_bar("Matching");
-    bar.set_length(photos.len() as u64);
+    bar.set_length(jobs.len() as u64);
     let mut failed = 0;
     // As many at a time as there are threads: lines come in the order of the files, whatever their number.
-    for some in photos.chunks(rayon::current_num_threads()) {
-        let lines: Vec<Value> = some.par_iter().map(|path| line(command, path, &request, &task, &results)).collect();
+    for some in jobs.chunks(rayon::current_num_threads()) {
+        let lines: Vec<Value> = some.par_iter().map(|job| line(command, job, &marks, &task, &results)).collect();
         for line in lines {
             bar.inc(1);
             if let Some(error) = line["error"].as_str() {
@@ -49,7 +53,7 @@ pub(super) fn run(command: &MatchCommand) -> anyhow::Result<Output> {
     }
     bar.finish_and_clear();
     if failed > 0 {
-        warnings.push(format!("{failed} of {} photographs failed", photos.len()));
+        warnings.push(format!("{failed} of {} photographs failed", jobs.len()));
     }
     Ok(Output { warnings, is_partial: failed > 0, ..Output::default() })
 }
@@ -72,6 +76,11 @@ fn photographs(paths: &[PathBuf]) -> anyhow::Result<(Vec<PathBuf>, Vec<String>)>
         }
         photos.extend(of_folder);
     }
+    let (given, mut seen) = (photos.len(), BTreeSet::new());
+    photos.retain(|photo| seen.insert(photo.clone()));
+    if photos.len() < given {
+        warnings.push(format!("{} photographs were named again; each is matched once", given - photos.len()));
+    }
     Ok((photos, warnings))
 }
 
@@ -80,43 +89,95 @@ fn is_photograph(path: &Path) -> bool {
     EXTENSIONS.contains(&extension.as_str())
 }
 
+/// A photograph and the file of its preset, where presets are saved.
+struct Job {
+    path: PathBuf,
+    preset: Option<PathBuf>,
+}
+
+/// Where photographs of several folders share a name, each preset's name gets a hash of its photograph's path:
+/// no preset is lost, and the names do not depend on the order. Case does not tell files apart everywhere.
+fn jobs(command: &MatchCommand, photos: Vec<PathBuf>) -> Vec<Job> {
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let mut uses = BTreeMap::<String, usize>::new();
+    photos.iter().for_each(|path| *uses.entry(name(path).to_lowercase()).or_default() += 1);
+    let preset_name = |path: &Path| match uses.get(&name(path).to_lowercase()) {
+        Some(2..) => format!("{}-{}.json", name(path), &hexadecimal(path.as_os_str().as_encoded_bytes())[..8]),
+        _ => format!("{}.json", name(path)),
+    };
+    let job =
+        |path: PathBuf| Job { preset: command.output.as_ref().map(|folder| folder.join(preset_name(&path))), path };
+    photos.into_iter().map(job).collect()
+}
+
+/// A sentence where names met, so that presets are not called what one expects.
+fn renamed(jobs: &[Job]) -> Option<String> {
+    let plain = |job: &Job| job.path.file_name().map(|name| Path::new(name).with_added_extension("json"));
+    let is_renamed = |job: &&Job| {
+        job.preset.as_ref().is_some_and(|preset| preset.file_name() != plain(job).as_deref().map(Path::as_os_str))
+    };
+    let mut renamed = jobs.iter().filter(is_renamed);
+    let first = renamed.next()?;
+    let preset = first.preset.as_ref()?.display();
+    let count = 1 + renamed.count();
+    Some(format!(
+        "{count} photographs share their names with others; the preset of {} is {preset}",
+        first.path.display()
+    ))
+}
+
 /// Everything but the photograph that a line depends on.
-fn task(command: &MatchCommand, request: &MatchRequest) -> Value {
+fn task(command: &MatchCommand, marks: &Marks) -> Value {
     let options = command.reading.options();
     json!({
-        "request": request, "space": command.space, "layer": options.layer,
+        "request": marks.request, "outlines": marks.outlines, "space": command.space, "layer": options.layer,
         "untagged_is_linear": options.untagged == Untagged::Linear, "presets": command.output,
     })
 }
 
 /// The line of one photograph: its match, or its error as a sentence.
-fn line(command: &MatchCommand, path: &Path, request: &MatchRequest, task: &Value, results: &Results) -> Value {
-    if let Some(known) = results.known(path) {
+fn line(command: &MatchCommand, job: &Job, marks: &Marks, task: &Value, results: &Results) -> Value {
+    if let Some(known) = results.known(job) {
         return known.clone();
     }
-    let found = matched(command, path, request).unwrap_or_else(|error| json!({ "error": format!("{error:#}") }));
-    let mut line = json!({ "path": path.display().to_string(), "task": task });
+    let found = matched(command, job, marks).unwrap_or_else(|error| json!({ "error": format!("{error:#}") }));
+    let mut line = json!({ "path": job.path.display().to_string(), "task": task });
     if let (Some(line), Value::Object(found)) = (line.as_object_mut(), found) {
         line.extend(found);
     }
     line
 }
 
-fn matched(command: &MatchCommand, path: &Path, request: &MatchRequest) -> anyhow::Result<Value> {
-    let matched = command.of_file(path, request)?;
+fn matched(command: &MatchCommand, job: &Job, marks: &Marks) -> anyhow::Result<Value> {
+    let matched = command.of_file(&job.path, marks)?;
     let mut value = matched.json()?;
-    if let Some(folder) = &command.output {
-        let saved = folder.join(path.file_name().unwrap_or_default()).with_added_extension("json");
+    if let Some(path) = &job.preset {
         value["preset"] = match matched.preset() {
             Some(preset) => {
-                fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-                preset.save(&saved)?;
-                json!(saved.display().to_string())
+                save(&preset, path, command.force)?;
+                json!(path.display().to_string())
             }
             None => Value::Null,
         };
     }
     Ok(value)
+}
+
+/// Saves a preset. The same one may be there from a run that was interrupted; another is replaced only with `--force`.
+fn save(preset: &Preset, path: &Path, force: bool) -> anyhow::Result<()> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    if force || !path.exists() {
+        return Ok(preset.save(path)?);
+    }
+    if fs::read(path).is_ok_and(|there| there == preset.to_json().unwrap_or_default().into_bytes()) {
+        return Ok(());
+    }
+    bail!("{} is there already and differs; --force replaces it", path.display())
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Lines of an earlier run, so that an interrupted one can go on.
@@ -135,13 +196,13 @@ impl Results {
         Ok(Self { path: Some(path.to_owned()), known })
     }
 
-    /// The earlier line about a file whose bytes are still the same and whose preset is still there.
-    fn known(&self, path: &Path) -> Option<&Value> {
-        let line = self.known.get(&path.display().to_string())?;
-        let has_preset = line["preset"].as_str().is_none_or(|preset| Path::new(preset).exists());
-        let bytes = fs::read(path).ok()?;
-        let sha256: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-        (has_preset && line["photo_sha256"] == json!(sha256)).then_some(line)
+    /// The earlier line about a file whose bytes are still the same and whose own preset is still there.
+    fn known(&self, job: &Job) -> Option<&Value> {
+        let line = self.known.get(&job.path.display().to_string())?;
+        let sha256 = line["photo_sha256"].as_str()?;
+        let is_of_photo = |preset: &str| fs::read_to_string(preset).is_ok_and(|text| text.contains(sha256));
+        let has_preset = line["preset"].as_str().is_none_or(is_of_photo);
+        (has_preset && hexadecimal(&fs::read(&job.path).ok()?) == sha256).then_some(line)
     }
 
     /// Adds a line that is not there yet.

@@ -3,18 +3,19 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use anyhow::{Context, bail};
 use clap::Args;
 use serde_json::{Value, json};
 
 use super::inspect::ReadingArguments;
-use super::marks::MarkArguments;
+use super::marks::{Fitted, MarkArguments, Marks};
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::{batch, usage};
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::figure::{CurveFigure, CurveSeries, Figure, FigureTheme, curve_figure, swatch_figure};
 use crate::fresnel::{CosTheta, Weights};
 use crate::metal::metal_by_name;
-use crate::photo::{Match, MatchRequest, Photo, solve};
+use crate::photo::{Match, Photo, solve};
 use crate::preset::{Preset, pretty_json};
 use crate::sample::{Sample, Truth, sample, samples};
 
@@ -49,6 +50,9 @@ pub struct MatchCommand {
     /// The look of figures: light, for print and slides, or dark
     #[arg(long, value_name = "THEME", default_value = "light")]
     theme: FigureTheme,
+    /// Replace files that are there
+    #[arg(long)]
+    pub(super) force: bool,
     /// For several photographs: append the lines to this file, and leave out what it holds already
     #[arg(long, value_name = "FILE")]
     pub(super) results: Option<PathBuf>,
@@ -60,27 +64,37 @@ pub struct MatchCommand {
 pub(super) struct Matched {
     photo: Photo,
     result: Match,
+    fitted: Fitted,
     truth: Option<Truth>,
     sample: Option<&'static Sample>,
 }
 
 impl MatchCommand {
     pub(super) fn run(&self) -> anyhow::Result<Output> {
-        match (&self.sample, &self.photos[..]) {
-            (Some(id), _) => self.of_sample(id)?.into_output(self),
-            (None, [photo]) if !photo.is_dir() => self.of_file(photo, &self.marks.request()?)?.into_output(self),
-            (None, _) if self.plot.is_some() || self.swatches.is_some() || self.name.is_some() => {
-                Err(usage("--plot, --swatches and --name are for a single photograph"))
-            }
-            (None, _) => batch::run(self),
+        let is_single = matches!(&self.photos[..], [photo] if !photo.is_dir());
+        if self.sample.is_none() && !is_single {
+            return self.run_batch();
         }
+        self.refuse_to_replace()?;
+        let matched = match (&self.sample, self.photos.first()) {
+            (None, Some(photo)) => self.of_file(photo, &self.marks.marks()?),
+            (id, _) => self.of_sample(id.as_deref().unwrap_or_default()),
+        };
+        matched?.into_output(self)
+    }
+
+    fn run_batch(&self) -> anyhow::Result<Output> {
+        if self.plot.is_some() || self.swatches.is_some() || self.name.is_some() {
+            return Err(usage("--plot, --swatches and --name are for a single photograph"));
+        }
+        batch::run(self)
     }
 
     /// A sample, with everything that can be written about it, in a folder.
-    pub(super) fn of_sample_into(id: &str, folder: &Path, format: FormatArguments) -> Self {
+    pub(super) fn of_sample_into(id: &str, folder: &Path, force: bool, format: FormatArguments) -> Self {
         let file = |name: &str| Some(folder.join(format!("{id}{name}")));
         let (output, plot, swatches) = (file(".json"), file("_curve.png"), file("_swatches.png"));
-        Self { sample: Some(id.to_owned()), output, plot, swatches, format, ..Self::default() }
+        Self { sample: Some(id.to_owned()), output, plot, swatches, force, format, ..Self::default() }
     }
 
     /// The files that a preset goes to.
@@ -88,20 +102,33 @@ impl MatchCommand {
         [&self.output, &self.plot, &self.swatches].into_iter().flatten().map(PathBuf::as_path).collect()
     }
 
+    /// Before anything is measured: a file that is there is replaced only with `--force`.
+    fn refuse_to_replace(&self) -> anyhow::Result<()> {
+        match self.files().into_iter().find(|path| path.exists()) {
+            Some(path) if !self.force => bail!("{} is there already; --force replaces it", path.display()),
+            _ => Ok(()),
+        }
+    }
+
     fn of_sample(&self, id: &str) -> anyhow::Result<Matched> {
         let known = || samples().iter().map(|sample| sample.id).collect::<Vec<_>>().join(", ");
         let sample = sample(id).ok_or_else(|| anyhow::anyhow!("there is no sample “{id}”; there are: {}", known()))?;
         let photo = Photo::from_bytes(&sample.facts.file, sample.bytes, &mut |_| ControlFlow::Continue(()))?;
-        let request = if self.marks.is_empty() { sample.facts.request.clone() } else { self.marks.request()? };
+        let marks = self.marks.marks()?;
+        let (request, fitted) = if self.marks.is_empty() {
+            (sample.facts.request.clone(), Fitted::default())
+        } else {
+            marks.in_photo(&photo)?
+        };
         let result = solve(&photo, &request, self.space)?;
-        Ok(Matched { photo, result, truth: Some(sample.facts.truth), sample: Some(sample) })
+        Ok(Matched { photo, result, fitted, truth: Some(sample.facts.truth), sample: Some(sample) })
     }
 
-    pub(super) fn of_file(&self, path: &Path, request: &MatchRequest) -> anyhow::Result<Matched> {
+    pub(super) fn of_file(&self, path: &Path, marks: &Marks) -> anyhow::Result<Matched> {
         let photo = Photo::open_with(path, &self.reading.options(), &mut |_| ControlFlow::Continue(()))?;
-        let result =
-            solve(&photo, request, self.space).map_err(|error| anyhow::anyhow!("{}: {error}", path.display()))?;
-        Ok(Matched { photo, result, truth: None, sample: None })
+        let (request, fitted) = marks.in_photo(&photo).with_context(|| path.display().to_string())?;
+        let result = solve(&photo, &request, self.space).with_context(|| path.display().to_string())?;
+        Ok(Matched { photo, result, fitted, truth: None, sample: None })
     }
 }
 
@@ -123,7 +150,9 @@ impl Matched {
         let text = match command.format.format() {
             Format::Json => pretty_json(&self.json()?),
             Format::Csv => self.table().to_csv(),
-            Format::Table => format!("{}{}{written}", self.table().to_text(), self.distance_sentence()),
+            Format::Table => {
+                format!("{}{}{}{written}", self.table().to_text(), self.outline_sentence(), self.distance_sentence())
+            }
         };
         Ok(Output { text, warnings, is_partial })
     }
@@ -162,6 +191,12 @@ impl Matched {
         value["photo"] = json!(self.photo.name);
         value["photo_sha256"] = json!(self.photo.sha256);
         value["colour_rule"] = json!(self.photo.colour_rule);
+        let Fitted { ball, cylinder, reference } = &self.fitted;
+        let outlines =
+            [("outline", json!(ball)), ("outline", json!(cylinder)), ("reference_outline", json!(reference))];
+        for (name, outline) in outlines.into_iter().filter(|(_, outline)| !outline.is_null()) {
+            value[name] = outline;
+        }
         if let (Some(sample), Some(truth)) = (self.sample, self.truth_in_space()) {
             let [delta_e_r, delta_e_h] = self.delta_e();
             value["sample"] =
@@ -190,6 +225,23 @@ impl Matched {
         let of = |distance: Option<f64>| distance.map_or_else(|| "not measured".to_owned(), |d| format!("{d:.2}"));
         let [r, h] = self.delta_e().map(of);
         format!("\nΔE2000 to the truth of {}, of which this picture was rendered: r {r}, h {h}\n", sample.facts.metal)
+    }
+
+    fn outline_sentence(&self) -> String {
+        let (body, radius, uncertainty_px, support) = match (&self.fitted.ball, &self.fitted.cylinder) {
+            (Some(ball), _) => {
+                (format!("circle {}", ball.circle), ball.circle.radius, ball.uncertainty_px, ball.support)
+            }
+            (None, Some(found)) => {
+                let (cylinder, uncertainty_px) = (found.cylinder, found.uncertainty_px);
+                (format!("cylinder {cylinder}"), cylinder.radius, uncertainty_px, found.support)
+            }
+            (None, None) => return String::new(),
+        };
+        let share = 100.0 * support;
+        format!(
+            "\nFitted: {body}; radius {radius:.2} ± {uncertainty_px:.2} pixels, {share:.0} % of its edge was seen\n"
+        )
     }
 
     fn table(&self) -> Table {

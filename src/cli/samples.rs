@@ -24,6 +24,9 @@ pub struct Samples {
     /// The folder of --match; created where missing
     #[arg(long, short, value_name = "DIR", default_value = ".", requires = "matched")]
     output: PathBuf,
+    /// Replace files of --match that are there
+    #[arg(long, requires = "matched")]
+    force: bool,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -32,7 +35,7 @@ impl Samples {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         if let Some(id) = &self.matched {
             std::fs::create_dir_all(&self.output).with_context(|| self.output.display().to_string())?;
-            return MatchCommand::of_sample_into(id, &self.output, self.format).run();
+            return MatchCommand::of_sample_into(id, &self.output, self.force, self.format).run();
         }
         let text = match (&self.write, self.format.format()) {
             (Some(folder), format) => write_all(folder)?.render(format),

@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use edgewise::color::{Rgb, RgbSpace};
 use edgewise::preset::{Origin, Preset};
@@ -108,7 +107,10 @@ fn a_match_that_cannot_be_saved_leaves_the_old_file() {
     Preset::new_authored().save(&preset).unwrap();
     // Only r is marked, so there is no h and no preset.
     let marks = ["--facing", "180,180,50,50", "--card", "396,186,68,96@0.9"];
-    let output = edgewise(&[&["match", &photo, "-o", preset.to_str().unwrap(), "--json"], &marks[..]].concat());
+    let there = ["match", &photo, "-o", preset.to_str().unwrap(), "--json"];
+    let sentence = refusal(1, &[&there, &marks[..]].concat());
+    assert!(sentence.contains("p.json is there already; --force replaces it"), "{sentence}");
+    let output = edgewise(&[&there, &marks[..], &["--force"]].concat());
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("there is no preset"), "{}", stderr(&output));
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -143,54 +145,4 @@ fn marks_that_cannot_be_solved_are_refused() {
     assert!(refusal(1, &["match", "--sample", "nickel"]).contains("gold_tent"));
     assert!(refusal(1, &["match", "no/such.png", "--circle", "1,1,1"]).contains("no/such.png"));
     refusal(2, &["match"]);
-}
-
-#[test]
-fn a_folder_gives_one_line_each_and_goes_on() {
-    let folder = tempfile::tempdir().unwrap();
-    let photos = folder.path().join("photos");
-    fs::create_dir(&photos).unwrap();
-    let first = sample_file(&photos, "gold_tent");
-    fs::copy(&first, photos.join("again.png")).unwrap();
-    fs::write(photos.join("broken.png"), "no picture").unwrap();
-    fs::write(photos.join("notes.txt"), "not a photograph").unwrap();
-    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let (results, presets) = (file("results.jsonl"), file("presets"));
-    let run = |threads: &str| {
-        let command =
-            [&["match", photos.to_str().unwrap(), "--results", &results, "-o", &presets], &GOLD_MARKS[..]].concat();
-        let binary = env!("CARGO_BIN_EXE_edgewise");
-        Command::new(binary).args(&command).env("RAYON_NUM_THREADS", threads).output().unwrap()
-    };
-
-    let output = run("1");
-    assert_eq!(output.status.code(), Some(1), "one failed");
-    assert!(
-        stderr(&output).contains("broken.png") && stderr(&output).contains("1 of 3 photographs failed"),
-        "{}",
-        stderr(&output)
-    );
-    assert!(stderr(&output).contains("1 files are no photographs"), "{}", stderr(&output));
-    let lines: Vec<Value> =
-        std::str::from_utf8(&output.stdout).unwrap().lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-    let paths: Vec<&str> =
-        lines.iter().map(|line| line["path"].as_str().unwrap().rsplit('/').next().unwrap()).collect();
-    assert_eq!(paths, ["again.png", "broken.png", "gold_tent.png"]);
-    assert_eq!(lines[0]["r"], lines[2]["r"]);
-    assert!(lines[1]["error"].as_str().unwrap().contains("broken.png"));
-    assert_eq!(fs::read_dir(&presets).unwrap().count(), 2);
-
-    assert_eq!(fs::read_to_string(&results).unwrap().lines().count(), 2);
-    let cut = fs::read_to_string(&results).unwrap();
-    fs::write(&results, &cut[..cut.len() - 40]).unwrap();
-    let resumed = run("4");
-    assert_eq!(resumed.stdout, output.stdout, "whatever was known and however many threads");
-    let repaired = fs::read_to_string(&results).unwrap();
-    assert_eq!(repaired, cut, "the line that was cut short is whole again");
-
-    fs::write(&results, "a letter\n").unwrap();
-    let other = run("1");
-    assert!(stderr(&other).lines().last().unwrap().contains("line 1 is no result"), "{}", stderr(&other));
-    assert_eq!(fs::read_to_string(&results).unwrap(), "a letter\n");
-    assert!(refusal(2, &["match", photos.to_str().unwrap(), "--format", "csv"]).contains("JSON"));
 }
