@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::output::{Cell, FormatArguments, Output, Table};
 use super::preset_files::{Listed, listed};
-use super::study::progress_bar;
+use super::progress::progress_bar;
 use crate::preset::{Checked, Finding, NO_PRESET, Severity, check_preset};
 
 /// Arguments of `edgewise check`.
