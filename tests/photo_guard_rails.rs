@@ -170,7 +170,7 @@ fn metals_brighter_than_the_grey_scale_are_said() {
         let neutrals = Card::COLOR_CHECKER_NEUTRALS.into_iter().enumerate();
         let patches = neutrals.clone().map(|(i, y)| (step(i), Rgb::splat(y))).collect();
         let studio = Studio { metal, patches, stored: Stored::Jpeg, ..DEFAULT() };
-        let greys: Vec<Card> = neutrals.map(|(i, reflectance)| Card { area: inside(step(i)), reflectance }).collect();
+        let greys: Vec<Card> = neutrals.map(|(i, reflectance)| Card::neutral(inside(step(i)), reflectance)).collect();
         studio.solve_as(&MatchRequest { cards: Vec::new(), greys, ..studio.request() }).warnings
     };
     let is_said =
