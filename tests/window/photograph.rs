@@ -126,6 +126,8 @@ fn marks_are_made_by_name_and_typed_as_numbers() {
     let photograph = folder.path().join("copy.png");
     fs::write(&photograph, first_sample().bytes).unwrap();
     let mut window = Window::open(None);
+    // On its own page no row has to be scrolled to.
+    window.press(Modifiers::COMMAND, Key::P);
     window.enter("Path of a photograph", photograph.to_str().unwrap());
     assert_eq!(marks(&window), MatchRequest::default(), "a file has no marks yet");
     window.click("Mark: Ball");
@@ -186,7 +188,8 @@ fn what_is_no_photograph_is_a_sentence() {
 fn the_pixel_under_the_pointer_is_read_in_full() {
     let mut window = open_sample();
     let circle = ball(&window);
-    window.harness.hover_at(on_screen(&window, circle.x, circle.y));
+    let (column, row) = (circle.x.floor(), circle.y.floor());
+    window.harness.hover_at(on_screen(&window, column + 0.5, row + 0.5));
     window.settle();
-    assert!(window.shows(&format!("{:.0},{:.0}", circle.x.floor(), circle.y.floor())));
+    assert!(window.shows(&format!("{column:.0},{row:.0}")));
 }
