@@ -60,7 +60,7 @@ fn every_built_in_preset_comes_back_as_far_as_its_loss_says() {
     }
 }
 
-/// g is fitted on the way out; on the way in its curve is read at 0° and 81.8°, and the note has the residual.
+/// g is fitted on the way out and h on the way in; the note has the residual.
 #[test]
 fn standard_surface_comes_back_with_its_losses_told() {
     for preset in gold_and_chromium() {
@@ -69,6 +69,26 @@ fn standard_surface_comes_back_with_its_losses_told() {
         assert!(back.notes[0].contains("Gulbrandsen (r, g)") && back.notes[0].contains("ΔE2000"));
         assert!(distance(&preset, &back.presets[0]) < 0.03);
     }
+}
+
+/// Beside the h of the smallest squared distance every other h is farther from the curve of g.
+#[test]
+fn g_becomes_the_h_whose_curve_is_nearest() {
+    let text = "r: 0.95 0.72 0.4\ng: 0.1 0.5 0.9\nspace: lin_rec709";
+    let back = import(ImportFormat::Values, text.as_bytes(), None).unwrap();
+    let (preset, original) = (&back.presets[0], Rgb([0.1, 0.5, 0.9]));
+    let curve = FresnelModel::Gulbrandsen { r: preset.r, g: original };
+    let distance = |change: f64| {
+        let ours = FresnelModel::Hoffman { r: preset.r, h: preset.h + Rgb::splat(change) };
+        let square = |c, i: usize| (ours.reflectance(c)[i] - curve.reflectance(c)[i]).powi(2);
+        [0, 1, 2].map(|i| whole_degrees().map(|c| square(c, i)).sum::<f64>())
+    };
+    let best = distance(0.0);
+    for change in [-1e-3, 1e-3] {
+        assert!((0..3).all(|i| distance(change)[i] > best[i]), "{change}");
+    }
+    assert!(preset.h.max_abs_difference(curve.reflectance(CosTheta::MAX)) > 1e-3, "no reading at 81.8°");
+    assert!(back.notes[0].contains("fitted"), "{:?}", back.notes);
 }
 
 #[test]
@@ -100,13 +120,13 @@ fn conductors_become_the_r_and_h_of_their_curve() {
     let by_node = "<artistic_ior name=\"a\" type=\"multioutput\"/><conductor_bsdf name=\"c\" type=\"BSDF\">\
                    <input name=\"ior\" type=\"color3\" nodename=\"a\" output=\"ior\"/>\
                    <input name=\"extinction\" type=\"color3\" nodename=\"a\" output=\"extinction\"/></conductor_bsdf>";
-    // The node states r and g to three digits.
-    for (body, tolerance) in [("<conductor_bsdf name=\"c\" type=\"BSDF\"/>", 1e-12), (by_node, 5e-3)] {
+    // The node states r and g to three digits, and from g h is fitted.
+    for (body, of_r, of_h) in [("<conductor_bsdf name=\"c\" type=\"BSDF\"/>", 1e-12, 1e-12), (by_node, 5e-3, 0.02)] {
         let back = read_materialx(body).unwrap();
         let preset = &back.presets[0];
         assert_eq!((preset.space, back.notes.len()), (RgbSpace::AcesCg, 1));
-        assert!(preset.r.max_abs_difference(wanted.reflectance(CosTheta::FACING)) < tolerance);
-        assert!(preset.h.max_abs_difference(wanted.reflectance(CosTheta::MAX)) < tolerance);
+        assert!(preset.r.max_abs_difference(wanted.reflectance(CosTheta::FACING)) < of_r);
+        assert!(preset.h.max_abs_difference(wanted.reflectance(CosTheta::MAX)) < of_h);
     }
 }
 

@@ -21,6 +21,17 @@ pub fn r_h_by_least_squares(samples: impl IntoIterator<Item = (CosTheta, f64)>) 
     (determinant > 1e-9 * rr * hh).then(|| ((ry * hh - hy * rh) / determinant, (hy * rr - ry * rh) / determinant))
 }
 
+/// h of the Hoffman curve nearest to samples (angle, F) at a given r; `None` where no sample depends on h.
+pub fn h_by_least_squares(samples: impl IntoIterator<Item = (CosTheta, f64)>, r: f64) -> Option<f64> {
+    let (mut product, mut square) = (0.0, 0.0);
+    for (cos_theta, f) in samples {
+        let Weights { of_r, of_h, of_white } = Weights::at(cos_theta);
+        product += of_h * (f - of_r * r - of_white);
+        square += of_h * of_h;
+    }
+    (square > 0.0).then(|| product / square)
+}
+
 /// r of the Schlick curve nearest to samples (angle, F); `None` where every sample grazes.
 pub fn schlick_r_by_least_squares(samples: impl IntoIterator<Item = (CosTheta, f64)>) -> Option<f64> {
     let (mut product, mut square) = (0.0, 0.0);

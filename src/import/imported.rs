@@ -1,9 +1,10 @@
 //! A metal in another program's words, and the preset it becomes.
 
 use super::ImportError;
-use crate::color::{Rgb, RgbSpace};
-use crate::fit::convert;
-use crate::fresnel::{CosTheta, FresnelModel, ModelKind};
+use crate::color::{Rgb, RgbSpace, delta_e_rgb};
+use crate::fit::{convert, h_by_least_squares};
+use crate::fresnel::{CosTheta, FresnelModel, ModelKind, whole_degrees};
+use crate::number::larger;
 use crate::preset::Preset;
 
 /// As many metals as one would keep in a library.
@@ -37,17 +38,15 @@ impl Imported {
         }
         check_index(&name, &model)?;
         let conversion = convert(&model, ModelKind::Hoffman, space).map_err(ImportError::no_material(&name))?;
+        let r = model.reflectance(CosTheta::FACING);
+        let h = match model {
+            FresnelModel::Gulbrandsen { .. } => fitted_h(&model, r),
+            _ => model.reflectance(CosTheta::MAX),
+        };
         if !conversion.is_exact() {
-            self.notes.push(format!(
-                "“{name}” is given as {}; its r and h are read off that curve, and between them it is off by at most \
-                 {:.4} in F and {:.2} in ΔE2000",
-                model.kind().label(),
-                conversion.max_difference,
-                conversion.max_delta_e,
-            ));
+            self.notes.push(not_exact(&name, &model, h, space));
         }
         let mut preset = Preset::new_authored();
-        let (r, h) = (model.reflectance(CosTheta::FACING), model.reflectance(CosTheta::MAX));
         preset.roughness = checked(&name, roughness.unwrap_or(preset.roughness))?;
         self.presets.push(Preset { name, space, r, h, ..preset });
         Ok(())
@@ -61,6 +60,29 @@ impl Imported {
             space
         })
     }
+}
+
+/// g says how the whole curve bends, so it becomes the h whose curve is nearest over the whole degrees, r being kept.
+fn fitted_h(model: &FresnelModel, r: Rgb) -> Rgb {
+    Rgb(std::array::from_fn(|channel| {
+        let samples = whole_degrees().map(|cos_theta| (cos_theta, model.reflectance(cos_theta)[channel]));
+        h_by_least_squares(samples, r[channel]).expect("the angles between 0° and 90° depend on h")
+    }))
+}
+
+/// What a curve loses as r and h.
+fn not_exact(name: &str, model: &FresnelModel, h: Rgb, space: RgbSpace) -> String {
+    let ours = hoffman(model.reflectance(CosTheta::FACING), h);
+    let differences = whole_degrees().map(|c| (ours.reflectance(c), model.reflectance(c)));
+    let (f, delta_e) = differences.fold((0.0, 0.0), |(f, delta_e), (ours, theirs)| {
+        (larger(f, ours.max_abs_difference(theirs)), larger(delta_e, delta_e_rgb(ours, theirs, space)))
+    });
+    let how = match model {
+        FresnelModel::Gulbrandsen { .. } => "its r is kept and its h fitted to that curve by least squares",
+        _ => "its r and h are read off that curve at 0° and 81.8°",
+    };
+    let kind = model.kind().label();
+    format!("“{name}” is given as {kind}; {how}, off by at most {f:.4} in F and {delta_e:.2} in ΔE2000 over the angles")
 }
 
 /// A negative n or k reflects more than the light it gets.
