@@ -49,7 +49,7 @@ pub struct Export {
     #[arg(long)]
     strict: bool,
     /// Write only the i-th of n parts of the batch, as one of n processes that share it
-    #[arg(long, value_name = "I/N", default_value = "1/1", hide_default_value = true, conflicts_with = "plan")]
+    #[arg(long, value_name = "I/N", default_value = "1/1", hide_default_value = true)]
     shard: Shard,
     /// List the targets with what their readers do
     #[arg(long)]
@@ -64,7 +64,8 @@ impl Export {
             return Ok(Output { text: targets().render(self.format.format()), ..Output::default() });
         }
         if let Some(plan) = &self.plan {
-            let to = Destination { folder: &self.output, force: self.force, strict: self.strict, space: self.space };
+            let (folder, force, strict) = (self.output.as_path(), self.force, self.strict);
+            let to = Destination { folder, force, strict, space: self.space, shard: self.shard };
             return export_plan(plan, &self.targets, &to, self.format.format());
         }
         let mut batch = self.batch()?;

@@ -6,6 +6,7 @@ use anyhow::{Context, bail};
 use serde_json::json;
 
 use super::output::{Cell, Format, Output, Table};
+use super::shard::Shard;
 use crate::color::RgbSpace;
 use crate::export::{Kept, Options, Target, export_kept, file_stems};
 use crate::file::replace_file;
@@ -20,6 +21,7 @@ pub(super) struct Destination<'a> {
     pub force: bool,
     pub strict: bool,
     pub space: Option<RgbSpace>,
+    pub shard: Shard,
 }
 
 /// A file that is to be written.
@@ -46,7 +48,9 @@ pub(super) fn export_plan(
     let options = Options { space: to.space };
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for &target in targets {
-        for ((material, preset), stem) in plan.materials.iter().zip(&presets).zip(&stems) {
+        let materials = plan.materials.iter().zip(&presets).zip(&stems).enumerate();
+        let mine = materials.filter(|(position, _)| to.shard.takes(*position));
+        for (_, ((material, preset), stem)) in mine {
             let (kept, variant) = kept(material, target, &plan, &mut warnings);
             let exported = export_kept(stem, preset, target, &options, kept)?;
             warnings.extend(exported.losses.iter().map(|loss| format!("{target}: {loss}")));

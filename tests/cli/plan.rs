@@ -87,6 +87,15 @@ fn a_plan_drives_an_export_without_h() {
     assert!(!gold.contains("vec3 h"), "{gold}");
     let chromium = fs::read_to_string(Path::new(out).join("chromium.glsl")).unwrap();
     assert!(chromium.contains("vec3 h"), "{chromium}");
+    let shards = folder.path().join("shards");
+    for (shard, files) in [("2/2", vec!["chromium.glsl"]), ("1/2", vec!["chromium.glsl", "gold.glsl"])] {
+        json(&["export", "--plan", plan, "--to", "glsl", "--shard", shard, "-o", shards.to_str().unwrap(), "--json"]);
+        let names = fs::read_dir(&shards).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        assert_eq!(names, files);
+    }
+    assert_eq!(fs::read_to_string(shards.join("gold.glsl")).unwrap(), gold);
     assert!(refusal(1, &["export", "--plan", "no.json", "--to", "glsl"]).contains("no.json"));
 }
 
