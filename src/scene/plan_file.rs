@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::Plan;
 use crate::file::{FileError, read_text, replace_file};
-use crate::preset::pretty_json;
+use crate::preset::{pretty_json, read_strict_json};
 
 /// The format this version reads and writes, in the field `edgewise_plan`.
 pub const PLAN_FORMAT: u64 = 1;
@@ -49,7 +49,7 @@ impl Plan {
     }
 
     fn from_text(text: &str) -> Result<Self, String> {
-        let value: Value = serde_json::from_str(text).map_err(|error| format!("it cannot be read as JSON: {error}"))?;
+        let value = read_strict_json(text).map_err(|error| format!("it cannot be read as JSON: {error}"))?;
         match value.get("edgewise_plan") {
             None => return Err("it is no plan: the field “edgewise_plan” must name its format".to_owned()),
             Some(version) if *version == json!(PLAN_FORMAT) => {}
@@ -106,6 +106,7 @@ mod tests {
     fn what_is_no_plan_is_refused_in_a_sentence() {
         for (text, reason) in [
             ("", "JSON"),
+            ("{\"edgewise_plan\": 1, \"edgewise_plan\": 1}", "given twice"),
             ("{}", "no plan"),
             ("{\"edgewise_plan\": 2}", "format 2"),
             ("{\"edgewise_plan\": 1}", "cannot be read"),
