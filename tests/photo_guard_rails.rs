@@ -86,13 +86,39 @@ fn a_rim_that_mirrors_a_dark_backdrop_shows_no_h() {
     assert!(largest_error(zinc.solve().h, zinc.truth().h) < 0.05, "{:?}", zinc.solve());
 }
 
+/// Rings, so that no sector of the ball is brighter than another: only the scatter within the sectors tells.
+#[test]
+fn a_patchy_reflection_is_seen_in_the_scatter() {
+    let says = |strength| {
+        let (studio, photo) = (DEFAULT(), with_rings(&DEFAULT(), strength));
+        let found = solve(&photo, &studio.request(), RgbSpace::LinRec709).unwrap();
+        found.warnings.iter().any(|warning| warning.message.contains("patchy"))
+    };
+    assert!(says(0.1));
+    assert!(!says(0.005));
+}
+
+/// The studio's picture, its ball multiplied by 1 ± `strength` in rings of 12 pixels.
+fn with_rings(studio: &Studio, strength: f64) -> Photo {
+    let [width, height] = studio.size;
+    let circle = studio.circle;
+    let ring = |at: usize| {
+        let [x, y] = [at % width as usize, at / width as usize].map(|pixel| pixel as f64 + 0.5);
+        let distance = (x - circle.x).hypot(y - circle.y);
+        let sign = if (distance / 12.0) as u32 % 2 == 0 { 1.0 } else { -1.0 };
+        if distance < circle.radius { 1.0 + sign * strength } else { 1.0 }
+    };
+    let linear = studio.picture().into_iter().enumerate().map(|(at, rgb)| (rgb * ring(at)).0.map(|value| value as f32));
+    Photo::from_linear("rings", width, height, linear.collect())
+}
+
 #[test]
 fn two_colours_in_a_card_are_seen() {
     let studio = Studio { patches: vec![([258.0, 100.0, 18.0, 60.0], Rgb::splat(0.5))], ..DEFAULT() };
     assert!(studio.codes().contains(&WarningCode::Multimodal));
 }
 
-/// A card labelled half as bright as it is doubles r: no metal reflects more than everything.
+/// A card labelled half as bright as it is halves r and h: no n and k reach so dark a rim.
 #[test]
 fn what_no_material_reaches_is_said() {
     let studio = DEFAULT();
@@ -102,6 +128,17 @@ fn what_no_material_reaches_is_said() {
     };
     assert!(labelled(1.0).iter().all(|code| *code != WarningCode::Infeasible));
     assert!(labelled(0.45).contains(&WarningCode::Infeasible));
+}
+
+/// Silver under a card that reflects less than its label says is brighter than a mirror.
+#[test]
+fn a_curve_beyond_everything_is_said() {
+    let says = |card_error| {
+        let studio = Studio { metal: "silver", card_error, camera: with_exposure(0.5), ..DEFAULT() };
+        studio.solve().warnings.iter().any(|warning| warning.message.contains("leaves 0 to 1"))
+    };
+    assert!(says(0.8));
+    assert!(!says(1.0));
 }
 
 #[test]

@@ -85,7 +85,8 @@ impl Studio {
         }
     }
 
-    fn picture(&self) -> Vec<Rgb> {
+    /// Its linear pixels, by rows.
+    pub fn picture(&self) -> Vec<Rgb> {
         let [width, height] = self.size;
         let dome = Dome::Tent(self.tent);
         let white = dome.white_radiance(&Vec3::z());

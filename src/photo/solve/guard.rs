@@ -306,10 +306,11 @@ fn gamut(outcome: &Match) -> Option<Warning> {
         .filter_map(|(name, rgb)| outside(rgb).then_some(name))
         .collect();
     (!names.is_empty()).then(|| {
+        let (lie, are, them) = if names.len() > 1 { ("lie", "are", "them") } else { ("lies", "is", "it") };
+        let (names, space) = (names.join(" and "), outcome.space.label());
         let message = format!(
-            "{} lies outside 0 to 1 in {}; it is kept as measured. A wider space holds it, or map it into the gamut.",
-            names.join(" and "),
-            outcome.space.label()
+            "{names} {lie} outside 0 to 1 in {space} and {are} kept as measured. A wider space holds {them}, or map \
+             {them} into the gamut."
         );
         Warning::new(WarningCode::Gamut, message)
     })
