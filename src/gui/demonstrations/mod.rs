@@ -191,18 +191,23 @@ impl Default for DemonstrationsPage {
 }
 
 impl DemonstrationsPage {
-    /// True while something is computed or written.
-    pub(crate) fn is_busy(&self) -> bool {
-        self.conversion.is_busy()
-            || self.conversions.is_busy()
-            || self.blend.is_busy()
-            || self.painted.is_busy()
-            || self.blends.is_busy()
-            || self.quantisation.is_busy()
-            || self.decoupling.is_busy()
-            || self.uniformity.is_busy()
-            || self.square.is_busy()
-            || !self.exports.is_empty()
+    /// True while a file is written.
+    pub(crate) fn is_writing(&self) -> bool {
+        !self.exports.is_empty()
+    }
+
+    /// True while what is on show is computed; a demonstration that was left is asked again when it is next on show.
+    pub(crate) fn is_computing(&self) -> bool {
+        match self.demonstration {
+            Demonstration::Conversion if self.has_all_metals => self.conversions.is_busy(),
+            Demonstration::Conversion => self.conversion.is_busy(),
+            Demonstration::Blending if self.has_all_pairs => self.blends.is_busy(),
+            Demonstration::Blending => self.blend.is_busy() || self.painted.is_busy(),
+            Demonstration::Quantisation => self.quantisation.is_busy(),
+            Demonstration::Decoupling => self.decoupling.is_busy(),
+            Demonstration::Uniformity => self.uniformity.is_busy(),
+            Demonstration::Feasibility => self.square.is_busy(),
+        }
     }
 
     /// What a slot holds: a person's choice, their own preset, or what shows most.
