@@ -1,6 +1,6 @@
 //! Do the demonstrations find what was measured before, by another program with 40 metals?
 //!
-//! The earlier numbers are those of the project's facts, section 3 ("Robustness", "Uniformity", "Decoupling"). Where
+//! The earlier numbers are of a study of robustness, uniformity and decoupling with those metals. Where
 //! this library's 47 materials or its data sets give other numbers, both are written down.
 #![cfg(feature = "cli")]
 
@@ -16,13 +16,13 @@ use edgewise::study::{
     blend_matrix, blend_spread, blending, conversion_spread, conversions, no_progress, quantisation,
 };
 
-/// The facts give two digits and ask for ten per cent.
-fn is_near(got: f64, fact: f64) -> bool {
-    (got - fact).abs() <= 0.1 * fact
+/// The earlier study gives two digits and ask for ten per cent.
+fn is_near(got: f64, before: f64) -> bool {
+    (got - before).abs() <= 0.1 * before
 }
 
-/// One data set for each material: Johnson & Christy's where there is one, as the facts' program had it.
-fn metals_of_the_facts() -> Vec<&'static Metal> {
+/// One data set for each material: Johnson & Christy's where there is one, as the earlier study had it.
+fn metals_of_the_earlier_study() -> Vec<&'static Metal> {
     let mut chosen: BTreeMap<&str, &Metal> = preferred_metals().map(|metal| (metal.name.as_str(), metal)).collect();
     for metal in metals().iter().filter(|metal| metal.dataset == "Johnson") {
         chosen.insert(&metal.name, metal);
@@ -35,14 +35,14 @@ fn contestants(name: &str) -> Contestants {
     Contestants::of(&subject, RgbSpace::AcesCg, Method::LeastSquares).unwrap()
 }
 
-/// Facts, "Robustness": ACEScg → sRGB, Schlick and h exactly 0, (r, g) mean .17 worst 1.2, (n, k) .28 worst 1.4.
+/// Before: ACEScg → sRGB, Schlick and h exactly 0, (r, g) mean .17 worst 1.2, (n, k) .28 worst 1.4.
 ///
 /// The worst (n, k) is 1.17 here (gold): the one number that is further than ten per cent. With the preferred data
 /// sets, whose copper and gold are more saturated, the means are .20 and .31.
 #[test]
-fn conversion_costs_what_the_facts_say() {
+fn conversion_costs_what_it_did_before() {
     let options = ConversionOptions { from: RgbSpace::AcesCg, to: RgbSpace::LinRec709, ..Default::default() };
-    let rows = conversions(&metals_of_the_facts(), &options, &no_progress).unwrap();
+    let rows = conversions(&metals_of_the_earlier_study(), &options, &no_progress).unwrap();
     let [h, t, g, nk] = conversion_spread(&rows);
     assert!(h.max < 1e-9, "{h:?}");
     assert!(is_near(g.mean, 0.17) && is_near(g.max, 1.2), "{g:?}");
@@ -59,12 +59,12 @@ fn mean_to_truth(rows: &[BlendPair], parameters: Parameters) -> f64 {
     own.clone().sum::<f64>() / own.count() as f64
 }
 
-/// Facts, "Robustness": half and half, against the blended truth: h .22, (r, g) .46, n, k 2.6–3.8 over 780 pairs.
+/// Before: half and half, against the blended truth: h .22, (r, g) .46, n, k 2.6–3.8 over 780 pairs.
 ///
 /// These 1081 pairs hold brasses, gold–silver alloys and intermetallics that are harder for every model:
 /// h .31, (r, g) .54. Blending itself costs h nothing.
 #[test]
-fn blending_costs_what_the_facts_say() {
+fn blending_costs_what_it_did_before() {
     let metals: Vec<&Metal> = preferred_metals().collect();
     let rows = blend_matrix(&metals, RgbSpace::AcesCg, Method::LeastSquares, &no_progress).unwrap();
     assert_eq!(rows.len(), 4 * metals.len() * (metals.len() - 1) / 2);
@@ -74,8 +74,8 @@ fn blending_costs_what_the_facts_say() {
     assert!((2.6..3.8).contains(&mean_to_truth(&rows, Parameters::Nk)));
 }
 
-/// Facts, "Robustness": with a dielectric partner n, k are worst. The facts say 8–10 for n, k and 1.6 for (r, g);
-/// glass of n = 1.5, half and half, gives 6.1 and .86 here: the partner of the facts is not known.
+/// Before: with a dielectric partner n, k are worst. The study says 8–10 for n, k and 1.6 for (r, g);
+/// glass of n = 1.5, half and half, gives 6.1 and .86 here: its partner is not known.
 #[test]
 fn a_dielectric_partner_is_worst_for_n_k() {
     let glass = Contestants::of(&Subject::Dielectric { n: 1.5 }, RgbSpace::AcesCg, Method::LeastSquares).unwrap();
@@ -89,10 +89,10 @@ fn a_dielectric_partner_is_worst_for_n_k() {
     }
 }
 
-/// Facts, "Robustness": 8-bit storage of the edge parameter of gold, largest ΔE: h .08, t .16, g 1.7.
+/// Before: 8-bit storage of the edge parameter of gold, largest ΔE: h .08, t .16, g 1.7.
 ///
 /// Where a value lies between two codes is luck; half a code in each channel is the most it can be off. In ACEScg
-/// that is h .50, t .43, g 2.0, which bounds the facts' numbers; what is stored of h itself is off by .17.
+/// that is h .50, t .43, g 2.0, which bounds the earlier numbers; what is stored of h itself is off by .17.
 #[test]
 fn eight_bits_hold_h_and_not_g() {
     let study = quantisation(&contestants("Au_Johnson"), &contestants("silver"));
@@ -107,9 +107,9 @@ fn eight_bits_hold_h_and_not_g() {
     }
 }
 
-/// Facts, "Uniformity": variation of 20 equal steps over what g can reach, g and linear h.
+/// Before: variation of 20 equal steps over what g can reach, g and linear h.
 #[test]
-fn steps_vary_as_the_facts_say() {
+fn steps_vary_as_they_did_before() {
     let variation = |r, slider, reach| SliderSweep::new(r, slider, reach, 20).unwrap().row().variation;
     for (r, g, h) in [(0.3, 0.35, 0.15), (0.5, 0.55, 0.19), (0.8, 1.6, 0.14), (0.95, 3.8, 0.046)] {
         let got = [Slider::G, Slider::HLinear].map(|slider| variation(r, slider, Reach::Reachable));
@@ -121,7 +121,7 @@ fn steps_vary_as_the_facts_say() {
     assert!(variation(0.8, Slider::OURS, Reach::Full) < 0.25 * variation(0.8, Slider::HLinear, Reach::Full));
 }
 
-/// Facts, "Decoupling": r from .85 to .95 moves the edge by 4.7–6.0 ΔE at fixed g.
+/// Before: r from .85 to .95 moves the edge by 4.7–6.0 ΔE at fixed g.
 ///
 /// That holds for g from 0 to 3/4; at g = 1, where most metals are, it is .5.
 #[test]

@@ -67,7 +67,7 @@ mod tests {
         assert_eq!(warnings_of(Preset::new_authored()), [""; 0]);
     }
 
-    /// Facts: gold's linear-sRGB red exceeds 1, in ACEScg it does not.
+    /// Gold's linear-sRGB red exceeds 1, in ACEScg it does not.
     #[test]
     fn gold_is_outside_srgb_and_fits_acescg() {
         let gold = metal_by_name("gold").unwrap();

@@ -282,8 +282,9 @@ pub fn uniformity_summary(sweeps: &[SliderSweep], r: f64) -> String {
     };
     let (within, full) = (Reach::Reachable, Reach::Full);
     format!(
-        "At r = {r}, equal steps of g vary by {:.2} (standard deviation over mean) and those of h by {:.2} over the same \
+        "At r = {}, equal steps of g vary by {:.2} (standard deviation over mean) and those of h by {:.2} over the same \
          appearances. Over its full range linear h is not uniform either ({:.2}); our slider moves h sRGB-encoded ({:.2}).",
+        (r * 1000.0).round() / 1000.0,
         variation(Slider::G, within),
         variation(Slider::HLinear, within),
         variation(Slider::HLinear, full),
