@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::export::Written;
 use super::material::Material;
 use super::names::one_ascii_line;
-use super::number::triple;
+use super::number::push_triple;
 use crate::fresnel::CosTheta;
 
 /// Readers interpolate linearly between rows. The curvature of F in the cosine stays below 2·7⁷/6⁶ ·
@@ -24,7 +24,8 @@ pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
     let model = material.model();
     for row in 0..ROWS {
         let cos_theta = CosTheta::new(f64::from(row) / f64::from(ROWS - 1));
-        writeln!(text, "{}", triple(model.reflectance(cos_theta), " "))?;
+        push_triple(&mut text, model.reflectance(cos_theta), " ");
+        text.push('\n');
     }
     Ok(text.into_bytes())
 }

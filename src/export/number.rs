@@ -1,13 +1,59 @@
 //! Numbers as text that every reader takes: a point, no exponent, no more digits than a float holds.
 
+use std::io::Write as _;
+
 use crate::color::Rgb;
 
 /// At most nine significant digits, which is what an `f32` needs to survive; always with a point.
 ///
 /// `-0` is written as `0.0`. Callers have refused what is not finite.
 pub(super) fn number(value: f64) -> String {
-    let text = rounded(value).to_string();
-    if text.contains('.') { text } else { text + ".0" }
+    let mut text = String::new();
+    push_number(&mut text, value);
+    text
+}
+
+/// Appends a [`number`]: tables have millions of them.
+pub(super) fn push_number(text: &mut String, value: f64) {
+    let scientific = Scientific::of(value);
+    let digits = scientific.digits();
+    let (before, zeros) = match scientific.exponent {
+        exponent @ 0.. => (exponent as usize + 1, 0),
+        exponent => (0, exponent.unsigned_abs() as usize - 1),
+    };
+    let (whole, fraction) = digits.split_at(before.min(digits.len()));
+    text.push_str(if scientific.is_negative { "-" } else { "" });
+    text.push_str(if whole.is_empty() { "0" } else { whole });
+    text.extend(std::iter::repeat_n('0', before - whole.len()));
+    text.push('.');
+    text.extend(std::iter::repeat_n('0', zeros));
+    text.push_str(if fraction.is_empty() { "0" } else { fraction });
+}
+
+/// Nine significant digits and where their point is, rounded as the standard library does it: exactly.
+struct Scientific {
+    is_negative: bool,
+    digits: [u8; DIGITS],
+    exponent: i32,
+}
+
+const DIGITS: usize = 9;
+
+impl Scientific {
+    fn of(value: f64) -> Self {
+        let mut buffer = [b' '; 32];
+        write!(&mut buffer[..], "{:.*e}", DIGITS - 1, value.abs()).expect("a number of nine digits is shorter");
+        let mut digits = [buffer[0]; DIGITS];
+        digits[1..].copy_from_slice(&buffer[2..=DIGITS]);
+        let exponent = std::str::from_utf8(&buffer[DIGITS + 2..]).ok().and_then(|text| text.trim_end().parse().ok());
+        Self { is_negative: value < 0.0, digits, exponent: exponent.unwrap_or_default() }
+    }
+
+    /// The digits up to the last that is not zero; one at least.
+    fn digits(&self) -> &str {
+        let last = self.digits.iter().rposition(|digit| *digit != b'0').unwrap_or_default();
+        std::str::from_utf8(&self.digits[..=last]).unwrap_or_default()
+    }
 }
 
 /// The nearest number with nine significant digits; `-0` becomes 0.
@@ -17,7 +63,18 @@ pub(super) fn rounded(value: f64) -> f64 {
 
 /// Three [`number`]s with a separator.
 pub(super) fn triple(rgb: Rgb, separator: &str) -> String {
-    rgb.0.map(number).join(separator)
+    let mut text = String::new();
+    push_triple(&mut text, rgb, separator);
+    text
+}
+
+/// Appends a [`triple`].
+pub(super) fn push_triple(text: &mut String, Rgb([red, green, blue]): Rgb, separator: &str) {
+    push_number(text, red);
+    text.push_str(separator);
+    push_number(text, green);
+    text.push_str(separator);
+    push_number(text, blue);
 }
 
 #[cfg(test)]
@@ -39,8 +96,19 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn reads_as_the_rounded_number(value in prop_oneof![-10.0..10.0, -1e13..1e13, -1e-9..1e-9]) {
+            prop_assert_eq!(number(value).parse::<f64>().unwrap(), rounded(value));
+        }
+    }
+
     #[test]
     fn is_short() {
+        assert_eq!(number(123.0), "123.0");
+        assert_eq!(number(-1234567890.0), "-1234567890.0");
+        assert_eq!(number(0.999_999_999_9), "1.0");
+        assert_eq!(number(-0.000_123), "-0.000123");
         assert_eq!(number(0.1 + 0.2), "0.3");
         assert_eq!(number(1.0), "1.0");
         assert_eq!(number(-0.0), "0.0");
