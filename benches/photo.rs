@@ -34,7 +34,7 @@ const WIDTH: u32 = 6000;
 const HEIGHT: u32 = 4000;
 const ROUNDS: usize = 5;
 
-/// What a camera sees, roughly: detail at every scale, with an amplitude in proportion to its size.
+/// What a camera sees, roughly: detail at every scale, which compresses to a quarter of a byte a pixel.
 fn value(x: u32, y: u32, channel: u32) -> f64 {
     let hash = |x: u32, y: u32| {
         let mixed = (x.wrapping_mul(0x9E37_79B1) ^ y.wrapping_mul(0x85EB_CA77) ^ channel).wrapping_mul(0xC2B2_AE3D);
@@ -46,9 +46,9 @@ fn value(x: u32, y: u32, channel: u32) -> f64 {
         let (s, t) = (x.fract(), y.fract());
         let at = |dx: u32, dy: u32| hash(x as u32 + dx, y as u32 + dy + level * 7919) - 0.5;
         let top = at(0, 0) * (1.0 - s) + at(1, 0) * s;
-        (top * (1.0 - t) + (at(0, 1) * (1.0 - s) + at(1, 1) * s) * t) * size.powf(0.8)
+        (top * (1.0 - t) + (at(0, 1) * (1.0 - s) + at(1, 1) * s) * t) * size.powf(0.4)
     };
-    0.5 + [1, 3, 5, 7, 9].map(octave).iter().sum::<f64>() / 600.0
+    0.5 + 0.06 * [1, 3, 5, 7, 9].map(octave).iter().sum::<f64>()
 }
 
 fn picture() -> Vec<u8> {

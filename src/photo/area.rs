@@ -80,13 +80,27 @@ impl Area {
         x >= 0.0 && y >= 0.0 && x + w <= f64::from(width) && y + h <= f64::from(height)
     }
 
-    /// The pixels of a picture whose centre lies inside, row by row.
-    pub(super) fn pixels(self, width: u32, height: u32) -> impl Iterator<Item = (u32, u32)> {
+    /// The columns of each row of a picture whose pixels' centres lie inside: neither shape has a gap in a row.
+    pub(super) fn rows(self, width: u32, height: u32) -> impl Iterator<Item = (u32, Range<u32>)> {
         let [x, y, w, h] = self.bounds();
         let columns = pixel_range(x, w, width);
-        pixel_range(y, h, height)
-            .flat_map(move |row| columns.clone().map(move |column| (column, row)))
-            .filter(move |&(column, row)| self.contains(f64::from(column) + 0.5, f64::from(row) + 0.5))
+        pixel_range(y, h, height).map(move |row| {
+            let is_inside = |column: &u32| self.contains(f64::from(*column) + 0.5, f64::from(row) + 0.5);
+            let start = columns.clone().find(is_inside).unwrap_or(columns.end);
+            let end = columns.clone().rev().find(is_inside).map_or(start, |last| last + 1);
+            (row, start..end)
+        })
+    }
+
+    /// The pixels of a picture whose centre lies inside, row by row.
+    pub(super) fn pixels(self, width: u32, height: u32) -> impl Iterator<Item = (u32, u32)> {
+        self.rows(width, height).flat_map(|(row, columns)| columns.map(move |column| (column, row)))
+    }
+
+    /// At least as many pixels of a picture as lie inside.
+    pub(super) fn most_pixels(self, width: u32, height: u32) -> usize {
+        let [x, y, w, h] = self.bounds();
+        pixel_range(x, w, width).len() * pixel_range(y, h, height).len()
     }
 }
 

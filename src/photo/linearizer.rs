@@ -7,7 +7,7 @@ use moxcms::TransformExecutor;
 use nalgebra::{Matrix3, Vector3};
 
 use super::curve::Curve;
-use super::samples::{Sample, Samples, for_each_pixel, triple};
+use super::samples::{Sample, Samples, triple};
 use crate::color::{Chromaticity, RgbSpace, Xyz, bradford, xyz_from_primaries};
 
 /// A profile that only a colour management system can follow: RGB in, linear RGB of known primaries out.
@@ -65,7 +65,7 @@ impl Linearizer {
     pub fn decode<T: Sample>(&self, pixels: impl Iterator<Item = [T; 3]>, linear: &mut Vec<[f32; 3]>) {
         linear.clear();
         match &self.stage {
-            Stage::Curves(curves) => linear.extend(pixels.map(|pixel| curves.decode(pixel))),
+            Stage::Curves(curves) => linear.extend(pixels.map(curves.decoder())),
             Stage::Profile(transform) => {
                 let encoded = pixels.flat_map(|pixel| finite(pixel.map(|v| v.fraction() as f32)));
                 let encoded: Vec<f32> = encoded.collect();
@@ -76,35 +76,40 @@ impl Linearizer {
         }
     }
 
-    /// Adds linear values in the primaries of the file to the sums of runs of pixels, as [`decode`](Self::decode)
-    /// would give them. `ends` are the pixels each run ends before, `scratch` is room that can be used again.
-    pub fn add_runs<T: Sample>(
+    /// Adds the linear values of a row, in the primaries of the file and as [`decode`](Self::decode) would give them,
+    /// to a sum for each column. `scratch` is room that can be used again.
+    pub fn add_row<T: Sample>(
         &self,
         pixels: &[T],
         channels: usize,
-        ends: &[usize],
-        sums: &mut [[f64; 3]],
+        sums: &mut [[f32; 3]],
         scratch: &mut Vec<[f32; 3]>,
     ) {
-        let mut start = 0;
         match &self.stage {
-            Stage::Curves(curves) => {
-                for (end, sum) in ends.iter().zip(sums) {
-                    let run = &pixels[start * channels..end * channels];
-                    let mut of_run = [0.0; 3];
-                    for_each_pixel(run, channels, |pixel| add(&mut of_run, curves.decode(pixel)));
-                    widen(sum, of_run);
-                    start = *end;
-                }
-            }
+            Stage::Curves(curves) => curves.add_row(pixels, channels, sums),
             Stage::Profile(_) => {
                 self.decode(pixels.chunks_exact(channels).map(triple), scratch);
-                for (end, sum) in ends.iter().zip(sums) {
-                    let mut of_run = [0.0; 3];
-                    scratch[start..*end].iter().for_each(|linear| add(&mut of_run, *linear));
-                    widen(sum, of_run);
-                    start = *end;
-                }
+                sums.iter_mut().zip(&*scratch).for_each(|(sum, linear)| add(sum, *linear));
+            }
+        }
+    }
+
+    /// Hands on each pixel as stored and in linear Rec.709.
+    pub fn for_each<T: Sample>(&self, pixels: impl Iterator<Item = [T; 3]>, mut take: impl FnMut([T; 3], [f64; 3])) {
+        let is_rec709 = self.matrix == Matrix3::identity();
+        let mut take = |stored, native: [f32; 3]| {
+            let native = native.map(f64::from);
+            take(stored, if is_rec709 { native } else { (self.matrix * Vector3::from(native)).into() });
+        };
+        match &self.stage {
+            Stage::Curves(curves) => {
+                let decode = curves.decoder();
+                pixels.for_each(|stored| take(stored, decode(stored)));
+            }
+            Stage::Profile(_) => {
+                let (stored, mut linear) = (pixels.collect::<Vec<_>>(), Vec::new());
+                self.decode(stored.iter().copied(), &mut linear);
+                stored.into_iter().zip(linear).for_each(|(stored, linear)| take(stored, linear));
             }
         }
     }
@@ -112,7 +117,7 @@ impl Linearizer {
     /// One pixel in linear Rec.709.
     pub fn pixel<T: Sample>(&self, pixel: [T; 3]) -> Vector3<f64> {
         let native = match &self.stage {
-            Stage::Curves(curves) => curves.decode(pixel),
+            Stage::Curves(curves) => curves.decoder()(pixel),
             Stage::Profile(_) => {
                 let mut linear = Vec::with_capacity(1);
                 self.decode(std::iter::once(pixel), &mut linear);
@@ -130,23 +135,30 @@ fn add(sum: &mut [f32; 3], [red, green, blue]: [f32; 3]) {
     sum[2] += blue;
 }
 
-/// Adds the short sum of a run to a long one.
-fn widen(sum: &mut [f64; 3], of_run: [f32; 3]) {
-    sum.iter_mut().zip(of_run).for_each(|(sum, of_run)| *sum += f64::from(of_run));
-}
-
 impl Curves {
-    #[inline]
-    fn decode<T: Sample>(&self, pixel: [T; 3]) -> [f32; 3] {
-        let [red, green, blue] = pixel;
-        if !(red.is_finite() & green.is_finite() & blue.is_finite()) {
-            return [0.0; 3];
+    fn add_row<T: Sample>(&self, pixels: &[T], channels: usize, sums: &mut [[f32; 3]]) {
+        let decode = self.decoder();
+        if channels == 3 {
+            sums.iter_mut().zip(pixels.as_chunks().0).for_each(|(sum, pixel)| add(sum, decode(*pixel)));
+        } else {
+            sums.iter_mut().zip(pixels).for_each(|(sum, value)| add(sum, decode([*value; 3])));
         }
-        [
-            red.decode(&self.tables[0], |x| self.curves[0].decode(x)),
-            green.decode(&self.tables[1], |x| self.curves[1].decode(x)),
-            blue.decode(&self.tables[2], |x| self.curves[2].decode(x)),
-        ]
+    }
+
+    /// What decodes a pixel, with its tables at hand.
+    #[inline]
+    fn decoder<T: Sample>(&self) -> impl Fn([T; 3]) -> [f32; 3] + '_ {
+        let [red_table, green_table, blue_table] = self.tables.each_ref().map(|table| T::whole(table));
+        move |[red, green, blue]| {
+            if !(red.is_finite() & green.is_finite() & blue.is_finite()) {
+                return [0.0; 3];
+            }
+            [
+                red.decode(red_table, |x| self.curves[0].decode(x)),
+                green.decode(green_table, |x| self.curves[1].decode(x)),
+                blue.decode(blue_table, |x| self.curves[2].decode(x)),
+            ]
+        }
     }
 }
 

@@ -165,10 +165,17 @@ impl Photo {
         is_inside.then(|| self.stored.pixel(self.stored.orientation.stored([column, row], self.stored.size)))
     }
 
-    /// The pixels of a row in some columns, from left to right; columns outside are left out.
-    pub fn row(&self, row: u32, columns: Range<u32>) -> impl Iterator<Item = Pixel> + '_ {
+    /// Hands on the pixels of a row in some columns, from left to right; columns outside are left out.
+    pub fn for_each_of_row(&self, row: u32, columns: Range<u32>, take: impl FnMut(Pixel)) {
         let columns = if row < self.height { columns.start..columns.end.min(self.width) } else { 0..0 };
-        columns.filter_map(move |column| self.pixel(column, row))
+        let stored = &*self.stored;
+        let positions = columns.map(|column| stored.orientation.stored([column, row], stored.size));
+        match &stored.samples {
+            Samples::U8(samples) => stored.for_each(samples, positions, take),
+            Samples::U16(samples) => stored.for_each(samples, positions, take),
+            Samples::F16(samples) => stored.for_each::<f16>(samples, positions, take),
+            Samples::F32(samples) => stored.for_each(samples, positions, take),
+        }
     }
 }
 
@@ -183,9 +190,25 @@ impl Stored {
         }
     }
 
-    fn pixel_of<T: Sample>(&self, samples: &[T], [x, y]: [u32; 2]) -> Pixel {
+    fn for_each<T: Sample>(
+        &self,
+        samples: &[T],
+        positions: impl Iterator<Item = [u32; 2]>,
+        mut take: impl FnMut(Pixel),
+    ) {
+        let black = T::black(self.is_linear);
+        self.linearizer.for_each(positions.map(|position| self.at(samples, position)), |stored, linear| {
+            take(Pixel { rgb: Rgb(linear), flags: flags_of(stored, black) });
+        });
+    }
+
+    fn at<T: Sample>(&self, samples: &[T], [x, y]: [u32; 2]) -> [T; 3] {
         let start = (y as usize * self.size[0] as usize + x as usize) * self.channels;
-        let stored = triple(&samples[start..start + self.channels]);
+        triple(&samples[start..start + self.channels])
+    }
+
+    fn pixel_of<T: Sample>(&self, samples: &[T], position: [u32; 2]) -> Pixel {
+        let stored = self.at(samples, position);
         let linear: Vector3<f64> = self.linearizer.pixel(stored);
         Pixel { rgb: Rgb::from(linear), flags: flags_of(stored, T::black(self.is_linear)) }
     }
@@ -220,7 +243,9 @@ mod tests {
         assert_eq!(photo.pixel(0, 1).unwrap().rgb, Rgb::BLACK);
         assert!(photo.pixel(1, 1).unwrap().flags.black);
         assert_eq!(photo.pixel(2, 0), None);
-        assert_eq!(photo.row(0, 0..9).count(), 2);
+        let mut row = Vec::new();
+        photo.for_each_of_row(0, 0..9, |pixel| row.push(pixel));
+        assert_eq!(row, [photo.pixel(0, 0).unwrap(), photo.pixel(1, 0).unwrap()]);
         assert!(photo.is_scene_linear());
     }
 }

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::PixelFlags;
+use super::orientation::Orientation;
 use super::picture::{Photo, Stored};
 use super::samples::{Sample, Samples, flags_of, for_each_pixel, is_plain};
 
@@ -23,31 +24,33 @@ pub struct Preview {
     pub flags: Vec<PixelFlags>,
 }
 
-/// One pixel of a preview.
-type Small = ([f32; 3], PixelFlags);
-
 impl Photo {
     /// A copy whose longer side is at most `max_side`, and never larger than the photograph. Means are taken
     /// over light, so what is too small to see keeps its share; NaN and infinities count as black.
     pub fn preview(&self, max_side: u32) -> Preview {
         let stored = &*self.stored;
         let size = fitted(stored.size, max_side.max(1));
-        let small = match &stored.samples {
+        let (rgb, flags) = match &stored.samples {
             Samples::U8(samples) => shrink(stored, samples, size),
             Samples::U16(samples) => shrink(stored, samples, size),
             Samples::F16(samples) => shrink::<f16>(stored, samples, size),
             Samples::F32(samples) => shrink(stored, samples, size),
         };
         let [width, height] = stored.orientation.size(size);
-        let positions = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
-        let (rgb, flags) = positions
-            .map(|position| {
-                let [x, y] = stored.orientation.stored(position, size);
-                small[y as usize * size[0] as usize + x as usize]
-            })
-            .unzip();
-        Preview { width, height, rgb, flags }
+        let orientation = stored.orientation;
+        Preview { width, height, rgb: turned(rgb, orientation, size), flags: turned(flags, orientation, size) }
     }
+}
+
+/// The stored pixels as they lie in the picture.
+fn turned<T: Copy>(stored: Vec<T>, orientation: Orientation, size: [u32; 2]) -> Vec<T> {
+    if orientation == Orientation::default() {
+        return stored;
+    }
+    let [width, height] = orientation.size(size);
+    let positions = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
+    let index = |[x, y]: [u32; 2]| y as usize * size[0] as usize + x as usize;
+    positions.map(|position| stored[index(orientation.stored(position, size))]).collect()
 }
 
 /// The size with the longer side at most `max_side`.
@@ -66,28 +69,75 @@ fn covered(index: usize, count: u32, all: u32) -> Range<usize> {
     edge(index)..edge(index + 1)
 }
 
-fn shrink<T: Sample>(stored: &Stored, samples: &[T], [width, height]: [u32; 2]) -> Vec<Small> {
-    let rows = (0..height as usize).into_par_iter();
-    rows.flat_map_iter(|row| small_row(stored, samples, width, covered(row, height, stored.size[1]))).collect()
+fn shrink<T: Sample>(stored: &Stored, samples: &[T], [width, height]: [u32; 2]) -> (Vec<[f32; 3]>, Vec<PixelFlags>) {
+    let pixels = width as usize * height as usize;
+    let (mut rgb, mut flags) = (vec![[0.0; 3]; pixels], vec![PixelFlags::default(); pixels]);
+    let ends: Vec<usize> = (0..width as usize).map(|column| covered(column, width, stored.size[0]).end).collect();
+    let rows = rgb.par_chunks_exact_mut(width as usize).zip(flags.par_chunks_exact_mut(width as usize)).enumerate();
+    rows.for_each_init(Room::default, |room, (row, (rgb, flags))| {
+        let covered = covered(row, height, stored.size[1]);
+        small_row(stored, samples, &ends, covered.clone(), (rgb, room));
+        for row in covered {
+            add_flags(row_of(stored, samples, row), stored, &ends, flags);
+        }
+    });
+    (rgb, flags)
 }
 
-/// A row of the preview from some rows of the file. The matrix comes last: it commutes with means.
-fn small_row<T: Sample>(stored: &Stored, samples: &[T], width: u32, rows: Range<usize>) -> Vec<Small> {
-    let row_length = stored.size[0] as usize * stored.channels;
-    let ends: Vec<usize> = (0..width as usize).map(|column| covered(column, width, stored.size[0]).end).collect();
-    let mut sums = vec![[0.0; 3]; width as usize];
-    let mut flags = vec![PixelFlags::default(); width as usize];
-    let mut scratch = Vec::new();
-    for row in rows.clone() {
-        let pixels = &samples[row * row_length..][..row_length];
-        stored.linearizer.add_runs(pixels, stored.channels, &ends, &mut sums, &mut scratch);
-        add_flags(pixels, stored, &ends, &mut flags);
+/// Room that is used again for each row.
+#[derive(Default)]
+struct Room {
+    /// A sum for each column of the file.
+    columns: Vec<[f32; 3]>,
+    decoded: Vec<[f32; 3]>,
+    /// A sum for each column of the preview.
+    sums: Vec<[f64; 3]>,
+}
+
+fn row_of<'a, T>(stored: &Stored, samples: &'a [T], row: usize) -> &'a [T] {
+    let length = stored.size[0] as usize * stored.channels;
+    &samples[row * length..][..length]
+}
+
+/// A row of the preview from some rows of the file: their columns are added up first, then runs of columns. The matrix
+/// comes last: it commutes with means.
+fn small_row<T: Sample>(
+    stored: &Stored,
+    samples: &[T],
+    ends: &[usize],
+    rows: Range<usize>,
+    (rgb, room): (&mut [[f32; 3]], &mut Room),
+) {
+    /// So few rows that floats hold their sum to six digits.
+    const ROWS_AT_ONCE: usize = 16;
+    let Room { columns, decoded, sums } = room;
+    sums.clear();
+    sums.resize(ends.len(), [0.0; 3]);
+    for first in rows.clone().step_by(ROWS_AT_ONCE) {
+        columns.clear();
+        columns.resize(stored.size[0] as usize, [0.0; 3]);
+        for row in first..rows.end.min(first + ROWS_AT_ONCE) {
+            stored.linearizer.add_row(row_of(stored, samples, row), stored.channels, columns, decoded);
+        }
+        add_runs(columns, ends, sums);
     }
     let matrix = stored.linearizer.matrix();
     let starts = std::iter::once(0).chain(ends.iter().copied());
-    let counts = starts.zip(&ends).map(|(start, end)| ((end - start) * rows.len()) as f64);
-    let means = counts.zip(sums).map(|(count, sum)| matrix * Vector3::from(sum) / count);
-    means.map(|mean| [mean.x as f32, mean.y as f32, mean.z as f32]).zip(flags).collect()
+    let counts = starts.zip(ends).map(|(start, end)| ((end - start) * rows.len()) as f64);
+    for ((count, sum), rgb) in counts.zip(&*sums).zip(rgb) {
+        *rgb = (matrix * Vector3::from(*sum) / count).map(|mean| mean as f32).into();
+    }
+}
+
+/// Adds the columns of each run to its sum.
+fn add_runs(columns: &[[f32; 3]], ends: &[usize], sums: &mut [[f64; 3]]) {
+    let mut start = 0;
+    for (end, sum) in ends.iter().zip(sums) {
+        for column in &columns[start..*end] {
+            sum.iter_mut().zip(column).for_each(|(sum, column)| *sum += f64::from(*column));
+        }
+        start = *end;
+    }
 }
 
 /// Marks each run of pixels with the flags that any of them has. Most stretches of a picture have none, which

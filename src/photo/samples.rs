@@ -50,6 +50,11 @@ pub(super) trait Sample: Copy + Default + PartialOrd + Send + Sync {
     /// code where they are linear, and zero for floats, which have no code values.
     fn black(is_linear: bool) -> Self;
 
+    /// A table of every code at the length that the compiler can hold indices against; floats have none.
+    fn whole(table: &[f32]) -> &[f32] {
+        table
+    }
+
     /// The linear value by a table of every code, or by `curve` where there is no table.
     fn decode(self, table: &[f32], curve: impl Fn(f64) -> f64) -> f32;
 
@@ -78,6 +83,10 @@ impl Sample for u8 {
         if is_linear { 1 } else { 12 }
     }
 
+    fn whole(table: &[f32]) -> &[f32] {
+        &table[..1 << 8]
+    }
+
     fn decode(self, table: &[f32], _: impl Fn(f64) -> f64) -> f32 {
         table[usize::from(self)]
     }
@@ -93,6 +102,10 @@ impl Sample for u16 {
     fn black(is_linear: bool) -> Self {
         let fraction = if is_linear { LINEAR_BLACK } else { 12.0 / 255.0 };
         (fraction * 65_535.0).ceil() as Self
+    }
+
+    fn whole(table: &[f32]) -> &[f32] {
+        &table[..1 << 16]
     }
 
     fn decode(self, table: &[f32], _: impl Fn(f64) -> f64) -> f32 {

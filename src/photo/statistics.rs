@@ -1,11 +1,9 @@
 //! What an area of a photograph holds: means, spread, and how well the mean is known.
 
-use std::cmp::Ordering;
-use std::ops::Range;
-
 use serde::Serialize;
 
 use super::{Area, Photo, Pixel};
+use crate::number::at_ranks;
 
 /// The area is cut into this many tiles each way for the jackknife: neighbouring pixels correlate.
 const TILES: usize = 8;
@@ -47,11 +45,14 @@ impl AreaStatistics {
 
     /// Measures an area after `read` has seen each pixel.
     pub(super) fn of_pixels(photo: &Photo, area: Area, read: impl Fn(Pixel) -> Pixel) -> Self {
-        let mut samples = Samples::default();
-        for (column, row) in area.pixels(photo.width, photo.height) {
-            if let Some(pixel) = photo.pixel(column, row) {
-                samples.push(read(pixel), tile_of(area, f64::from(column) + 0.5, f64::from(row) + 0.5));
-            }
+        let mut samples = Samples::with_capacity(area.most_pixels(photo.width, photo.height));
+        let tiles = Tiles::of(area);
+        for (row, columns) in area.rows(photo.width, photo.height) {
+            let (tile_row, mut column) = (tiles.row(row), columns.start);
+            photo.for_each_of_row(row, columns, |pixel| {
+                samples.push(read(pixel), tile_row + tiles.column(column));
+                column += 1;
+            });
         }
         samples.statistics()
     }
@@ -75,44 +76,72 @@ pub(super) fn usable_channels(pixel: &Pixel) -> [bool; 3] {
     pixel.flags.clipped.map(|is_clipped| !is_clipped && !pixel.flags.non_finite)
 }
 
-fn tile_of(area: Area, x: f64, y: f64) -> u8 {
-    let [left, top, width, height] = area.bounds();
-    let index = |offset: f64, size: f64| ((offset / size * TILES as f64) as usize).min(TILES - 1);
-    (index(y - top, height) * TILES + index(x - left, width)) as u8
+/// Which tile of an area a pixel lies in: row by row.
+struct Tiles {
+    left: f64,
+    top: f64,
+    columns_per_pixel: f64,
+    rows_per_pixel: f64,
 }
 
-/// The usable pixels of an area. Floats keep a large area small: 13 bytes for each pixel.
-#[derive(Default)]
+impl Tiles {
+    fn of(area: Area) -> Self {
+        let [left, top, width, height] = area.bounds();
+        Self { left, top, columns_per_pixel: TILES as f64 / width, rows_per_pixel: TILES as f64 / height }
+    }
+
+    fn column(&self, column: u32) -> u8 {
+        Self::index((f64::from(column) + 0.5 - self.left) * self.columns_per_pixel)
+    }
+
+    /// The first tile of the row.
+    fn row(&self, row: u32) -> u8 {
+        TILES as u8 * Self::index((f64::from(row) + 0.5 - self.top) * self.rows_per_pixel)
+    }
+
+    fn index(place: f64) -> u8 {
+        (place as u8).min(TILES as u8 - 1)
+    }
+}
+
+/// The pixels of an area, and the usable values of each channel. Floats keep a large area small: 15 bytes for each
+/// pixel.
 struct Samples {
-    /// Linear values; NaN in a channel that is clipped or not finite.
-    values: Vec<[f32; 3]>,
-    /// The tile of each.
-    tiles: Vec<u8>,
+    pixels: usize,
+    channels: [Usable; 3],
     clipped: [usize; 3],
     black: usize,
     non_finite: usize,
 }
 
+/// The linear values of a channel that is neither clipped nor not finite, and their tiles.
+struct Usable {
+    values: Vec<f32>,
+    tiles: Vec<u8>,
+}
+
 impl Samples {
+    fn with_capacity(pixels: usize) -> Self {
+        let usable = || Usable { values: Vec::with_capacity(pixels), tiles: Vec::with_capacity(pixels) };
+        Self { pixels: 0, channels: [usable(), usable(), usable()], clipped: [0; 3], black: 0, non_finite: 0 }
+    }
+
     fn push(&mut self, pixel: Pixel, tile: u8) {
+        self.pixels += 1;
         self.black += usize::from(pixel.flags.black);
         self.non_finite += usize::from(pixel.flags.non_finite);
-        for channel in 0..3 {
-            self.clipped[channel] += usize::from(pixel.flags.clipped[channel]);
-        }
         let is_usable = usable_channels(&pixel);
-        self.values.push(std::array::from_fn(|i| if is_usable[i] { pixel.rgb[i] as f32 } else { f32::NAN }));
-        self.tiles.push(tile);
+        for (channel, usable) in self.channels.iter_mut().enumerate() {
+            self.clipped[channel] += usize::from(pixel.flags.clipped[channel]);
+            if is_usable[channel] {
+                usable.values.push(pixel.rgb[channel] as f32);
+                usable.tiles.push(tile);
+            }
+        }
     }
 
     fn statistics(self) -> AreaStatistics {
-        let mut usable = Vec::with_capacity(self.values.len());
-        let channels: [ChannelStatistics; 3] = std::array::from_fn(|i| {
-            let of_channel = self.values.iter().zip(&self.tiles).map(|(value, tile)| (value[i], *tile));
-            usable.clear();
-            usable.extend(of_channel.filter(|(value, _)| !value.is_nan()));
-            ChannelStatistics::of(&mut usable)
-        });
+        let channels = self.channels.each_ref().map(|usable| ChannelStatistics::of(&usable.values, &usable.tiles));
         let of = |f: fn(&ChannelStatistics) -> f64| channels.each_ref().map(f);
         AreaStatistics {
             mean: of(|s| s.mean),
@@ -121,16 +150,13 @@ impl Samples {
             standard_deviation: of(|s| s.standard_deviation),
             standard_error: of(|s| s.standard_error),
             bimodality: of(|s| s.bimodality),
-            pixels: self.values.len(),
+            pixels: self.pixels,
             clipped: self.clipped,
             black: self.black,
             non_finite: self.non_finite,
         }
     }
 }
-
-/// A value of one channel and its tile.
-type Sample = (f32, u8);
 
 /// What one channel of an area holds.
 struct ChannelStatistics {
@@ -143,11 +169,14 @@ struct ChannelStatistics {
 }
 
 impl ChannelStatistics {
-    /// Of samples in any order, which it reorders: selecting the fifths and the middle is enough, none is sorted.
-    fn of(samples: &mut [Sample]) -> Self {
-        let mean = mean(samples);
-        let (standard_deviation, bimodality) = (standard_deviation(samples, mean), bimodality(samples, mean));
-        let Some(middle) = middle_fifths(samples) else {
+    /// Of values in any order, and the tile of each.
+    fn of(values: &[f32], tiles: &[u8]) -> Self {
+        let count = values.len();
+        let mean = sum(values, f64::from) / count as f64;
+        let squares = sum(values, |value| (f64::from(value) - mean).powi(2));
+        let standard_deviation = (squares / (count as f64 - 1.0)).sqrt();
+        let bimodality = bimodality(values, mean, squares);
+        if values.is_empty() {
             return Self {
                 mean,
                 trimmed_mean: mean,
@@ -156,73 +185,48 @@ impl ChannelStatistics {
                 standard_error: mean,
                 bimodality,
             };
-        };
-        let (trimmed_mean, median) = (self::mean(&samples[middle.clone()]), median(&mut samples[middle.clone()]));
-        let limits = [samples[middle.start].0, samples[middle.end - 1].0];
-        let standard_error = standard_error(samples, limits);
+        }
+        let cut = count / 5;
+        let [low, lower, upper, high] = at_ranks(values, [cut, (count - 1) / 2, count / 2, count - cut - 1]);
+        let trimmed_mean = trimmed_mean(values, cut, [low, high]);
+        let median = 0.5 * (f64::from(lower) + f64::from(upper));
+        let standard_error = standard_error(values, tiles, [low, high]);
         Self { mean, trimmed_mean, median, standard_deviation, standard_error, bimodality }
     }
 }
 
-/// Brings the middle 60 % of the samples together, the smallest of them first, the largest last; `None` of nothing.
-fn middle_fifths(samples: &mut [Sample]) -> Option<Range<usize>> {
-    let cut = samples.len() / 5;
-    let middle = cut..samples.len() - cut;
-    if middle.is_empty() {
-        return None;
+/// The sum of a function of the values, in eight lanes: one sum would wait for each addition.
+fn sum(values: &[f32], of: impl Fn(f32) -> f64) -> f64 {
+    let (chunks, rest) = values.as_chunks::<8>();
+    let mut lanes = [0.0; 8];
+    for chunk in chunks {
+        lanes.iter_mut().zip(chunk).for_each(|(lane, value)| *lane += of(*value));
     }
-    samples.select_nth_unstable_by(middle.start, by_value);
-    let rest = &mut samples[middle.start + 1..];
-    if let Some(last) = middle.len().checked_sub(2) {
-        rest.select_nth_unstable_by(last, by_value);
-    }
-    Some(middle)
+    lanes.iter().sum::<f64>() + rest.iter().map(|value| of(*value)).sum::<f64>()
 }
 
-fn by_value(a: &Sample, b: &Sample) -> Ordering {
-    a.0.total_cmp(&b.0)
-}
-
-fn mean(samples: &[Sample]) -> f64 {
-    samples.iter().map(|(value, _)| f64::from(*value)).sum::<f64>() / samples.len() as f64
-}
-
-/// The median, with the ends of the samples left where they are.
-fn median(samples: &mut [Sample]) -> f64 {
-    let (middle, last) = (samples.len() / 2, samples.len() - 1);
-    if samples.len() < 3 {
-        return mean(samples);
-    }
-    let is_even = samples.len().is_multiple_of(2);
-    let (below, upper, _) = samples[1..last].select_nth_unstable_by(middle - 1, by_value);
-    let lower = below.iter().map(|sample| sample.0).max_by(f32::total_cmp).filter(|_| is_even);
-    let upper = f64::from(upper.0);
-    lower.map_or(upper, |lower| 0.5 * (f64::from(lower) + upper))
-}
-
-fn standard_deviation(samples: &[Sample], centre: f64) -> f64 {
-    (sum_of_squares(samples, centre) / (samples.len() as f64 - 1.0)).sqrt()
-}
-
-fn sum_of_squares(samples: &[Sample], centre: f64) -> f64 {
-    samples.iter().map(|(value, _)| (f64::from(*value) - centre).powi(2)).sum()
+/// Mean of the values from the `cut`th smallest to the `cut`th largest, which are `low` and `high`: the sum of all held
+/// between them, less what the `cut` held at each end add.
+fn trimmed_mean(values: &[f32], cut: usize, [low, high]: [f32; 2]) -> f64 {
+    let held = sum(values, |value| f64::from(value.clamp(low, high)));
+    let ends = cut as f64 * (f64::from(low) + f64::from(high));
+    (held - ends) / (values.len() - 2 * cut) as f64
 }
 
 /// Delete-a-block jackknife of the trimmed mean (Künsch 1989) over tiles.
 ///
 /// A tile's pull on the trimmed mean is the sum of its winsorised deviations over 0.6 n, the trimmed
 /// mean's influence function (Huber 1981, section 3.3), so that one pass serves every tile.
-fn standard_error(samples: &[Sample], [low, high]: [f32; 2]) -> f64 {
-    let winsorised = |value: f32| f64::from(value.clamp(low, high));
-    let count = samples.len() as f64;
-    let centre = samples.iter().map(|(value, _)| winsorised(*value)).sum::<f64>() / count;
-    let mut tiles = [(0.0, 0.0); TILES * TILES];
-    for (value, tile) in samples {
-        tiles[usize::from(*tile)].0 += winsorised(*value) - centre;
-        tiles[usize::from(*tile)].1 += 1.0;
+fn standard_error(values: &[f32], tiles: &[u8], [low, high]: [f32; 2]) -> f64 {
+    let mut sums = [(0.0, 0.0); TILES * TILES];
+    for (value, tile) in values.iter().zip(tiles) {
+        sums[usize::from(*tile)].0 += f64::from(value.clamp(low, high));
+        sums[usize::from(*tile)].1 += 1.0;
     }
-    let estimates: Vec<f64> =
-        tiles.iter().filter(|tile| tile.1 > 0.0).map(|(pull, size)| -pull / (0.6 * (count - size))).collect();
+    let count = values.len() as f64;
+    let centre = sums.iter().map(|(sum, _)| sum).sum::<f64>() / count;
+    let pull = |(sum, size): &(f64, f64)| (centre * size - sum) / (0.6 * (count - size));
+    let estimates: Vec<f64> = sums.iter().filter(|(_, size)| *size > 0.0).map(pull).collect();
     jackknife_error(&estimates)
 }
 
@@ -234,17 +238,16 @@ pub(super) fn jackknife_error(estimates: &[f64]) -> f64 {
     if estimates.len() < 2 { f64::NAN } else { ((blocks - 1.0) / blocks * spread).sqrt() }
 }
 
-/// Between-class share of the variance when the samples are split at their mean (Otsu 1979, eq. 12).
-fn bimodality(samples: &[Sample], centre: f64) -> f64 {
-    let (mut below, mut sum_below) = (0.0, 0.0);
-    for value in samples.iter().map(|(value, _)| f64::from(*value)).filter(|value| *value < centre) {
-        (below, sum_below) = (below + 1.0, sum_below + value);
-    }
-    let count = samples.len() as f64;
-    let (low, high) = (sum_below / below, (centre * count - sum_below) / (count - below));
-    let between = below * (count - below) / (count * count) * (high - low).powi(2);
-    let total = sum_of_squares(samples, centre) / count;
-    if total > 0.0 { between / total } else { 0.0 }
+/// Between-class share of the variance when the values are split at their mean (Otsu 1979, eq. 12). `squares` is the
+/// sum of squared differences from that mean.
+fn bimodality(values: &[f32], mean: f64, squares: f64) -> f64 {
+    let is_below = |value: f32| f64::from(value) < mean;
+    let below = sum(values, |value| f64::from(u8::from(is_below(value))));
+    let sum_below = sum(values, |value| if is_below(value) { f64::from(value) } else { 0.0 });
+    let count = values.len() as f64;
+    let (low, high) = (sum_below / below, (mean * count - sum_below) / (count - below));
+    let between = below * (count - below) / count * (high - low).powi(2);
+    if squares > 0.0 { between / squares } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -285,22 +288,20 @@ mod tests {
         assert!(s.mean[0] > 7.0 && s.trimmed_mean[0] == 1.0 && s.median[0] == 1.0);
     }
 
-    /// Selecting gives what sorting gives, for every number of samples.
+    /// Ranks give what sorting gives, for every number of values.
     #[test]
-    fn the_middle_is_that_of_the_sorted_samples() {
+    fn the_middle_is_that_of_the_sorted_values() {
         let value = |i: usize| ((i * 7_919 + 13) % 101) as f32;
         for count in 1..60 {
-            let mut samples: Vec<Sample> = (0..count).map(|i| (value(i), 0)).collect();
-            let mut sorted: Vec<f64> = samples.iter().map(|(value, _)| f64::from(*value)).collect();
+            let values: Vec<f32> = (0..count).map(value).collect();
+            let mut sorted: Vec<f64> = values.iter().map(|value| f64::from(*value)).collect();
             sorted.sort_by(f64::total_cmp);
             let median = crate::number::median(&mut sorted.clone());
             let middle = &sorted[count / 5..count - count / 5];
             let expected = middle.iter().sum::<f64>() / middle.len() as f64;
-            let found = ChannelStatistics::of(&mut samples);
+            let found = ChannelStatistics::of(&values, &vec![0; count]);
             assert!((found.trimmed_mean - expected).abs() < 1e-9, "{count}");
             assert_eq!(found.median, median, "{count}");
-            let limits = [samples[count / 5].0, samples[count - 1 - count / 5].0].map(f64::from);
-            assert_eq!(limits, [middle[0], middle[middle.len() - 1]], "{count}");
         }
     }
 
