@@ -8,13 +8,6 @@ use crate::color::Rgb;
 ///
 /// `-0` is written as `0.0`. Callers have refused what is not finite.
 pub(super) fn number(value: f64) -> String {
-    let mut text = String::new();
-    push_number(&mut text, value);
-    text
-}
-
-/// Appends a [`number`]: tables have millions of them.
-pub(super) fn push_number(text: &mut String, value: f64) {
     let scientific = Scientific::of(value);
     let digits = scientific.digits();
     let (before, zeros) = match scientific.exponent {
@@ -22,12 +15,13 @@ pub(super) fn push_number(text: &mut String, value: f64) {
         exponent => (0, exponent.unsigned_abs() as usize - 1),
     };
     let (whole, fraction) = digits.split_at(before.min(digits.len()));
-    text.push_str(if scientific.is_negative { "-" } else { "" });
+    let mut text = String::from(if scientific.is_negative { "-" } else { "" });
     text.push_str(if whole.is_empty() { "0" } else { whole });
     text.extend(std::iter::repeat_n('0', before - whole.len()));
     text.push('.');
     text.extend(std::iter::repeat_n('0', zeros));
     text.push_str(if fraction.is_empty() { "0" } else { fraction });
+    text
 }
 
 /// Nine significant digits and where their point is, rounded as the standard library does it: exactly.
@@ -63,18 +57,7 @@ pub(super) fn rounded(value: f64) -> f64 {
 
 /// Three [`number`]s with a separator.
 pub(super) fn triple(rgb: Rgb, separator: &str) -> String {
-    let mut text = String::new();
-    push_triple(&mut text, rgb, separator);
-    text
-}
-
-/// Appends a [`triple`].
-pub(super) fn push_triple(text: &mut String, Rgb([red, green, blue]): Rgb, separator: &str) {
-    push_number(text, red);
-    text.push_str(separator);
-    push_number(text, green);
-    text.push_str(separator);
-    push_number(text, blue);
+    rgb.0.map(number).join(separator)
 }
 
 #[cfg(test)]
