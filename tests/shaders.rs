@@ -7,13 +7,16 @@
 use std::collections::HashMap;
 
 use edgewise::color::Rgb;
-use edgewise::export::{Options, Target, export};
+use edgewise::export::{Kept, Options, Target, export, export_baked, export_kept};
+use edgewise::fit::{BAKED_COEFFICIENTS, bake};
 use edgewise::fresnel::{CosTheta, whole_degrees};
+use edgewise::kernel::{Exported, Operations, Polynomial, SchlickOfPixels};
+use edgewise::metal::metal_by_name;
 use edgewise::preset::Preset;
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::{Capabilities, FunctionInfo, ModuleInfo, ValidationFlags, Validator};
 use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, MathFunction, Module, ShaderStage,
-    Statement, UnaryOperator,
+    Statement, TypeInner, UnaryOperator,
 };
 
 /// A scalar or a vector of three.
@@ -172,8 +175,12 @@ fn binary(op: BinaryOperator, left: Value, right: Value) -> Value {
 }
 
 fn validated(module: Module) -> Module {
-    Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).expect("a valid module");
+    information(&module);
     module
+}
+
+fn information(module: &Module) -> ModuleInfo {
+    Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(module).expect("a valid module")
 }
 
 fn module_from_glsl(source: &str) -> Module {
@@ -266,5 +273,96 @@ fn sources_are_ascii_and_free_of_pow_and_whole_literals() {
         let code: String = source.lines().filter(|line| !line.starts_with("//")).collect();
         let arguments = code.rsplit("edgewise_fresnel(").next().unwrap();
         assert!(arguments.contains("(1.0, 0.0, 0.5)"), "{arguments}");
+    }
+}
+
+/// What the functions of a shader are made of in naga's form, a vector being three numbers.
+struct Counting<'a> {
+    module: &'a Module,
+    function: &'a Function,
+    types: &'a FunctionInfo,
+    counts: Operations,
+}
+
+impl Counting<'_> {
+    fn block(&mut self, block: &Block) {
+        for statement in block {
+            match statement {
+                Statement::Emit(range) => range.clone().for_each(|handle| self.expression(handle)),
+                Statement::Block(block) => self.block(block),
+                Statement::Store { .. } | Statement::Return { .. } => {}
+                other => panic!("not expected in one function of straight-line code: {other:?}"),
+            }
+        }
+    }
+
+    fn expression(&mut self, handle: Handle<Expression>) {
+        let numbers = match self.types[handle].ty.inner_with(&self.module.types) {
+            TypeInner::Vector { size, .. } => *size as u32,
+            _ => 1,
+        };
+        let counts = &mut self.counts;
+        match &self.function.expressions[handle] {
+            Expression::Binary { op: BinaryOperator::Add | BinaryOperator::Subtract, .. } => counts.sums += numbers,
+            Expression::Binary { op: BinaryOperator::Multiply, .. } => counts.products += numbers,
+            Expression::Binary { op: BinaryOperator::Divide, .. } => counts.quotients += numbers,
+            Expression::Unary { op: UnaryOperator::Negate, .. } => counts.choices += numbers,
+            // Not below and not above.
+            Expression::Math { fun: MathFunction::Clamp, .. } => counts.choices += 2 * numbers,
+            Expression::Splat { .. } | Expression::Compose { .. } | Expression::Load { .. } => {}
+            other => panic!("not expected in these functions: {other:?}"),
+        }
+    }
+}
+
+fn counted(module: &Module, name: &str) -> Operations {
+    let information = information(module);
+    let named = |(_, function): &(_, &Function)| function.name.as_deref() == Some(name);
+    let (handle, function) = module.functions.iter().find(named).unwrap_or_else(|| panic!("no function {name}"));
+    let mut counting = Counting { module, function, types: &information[handle], counts: Operations::default() };
+    counting.block(&function.body);
+    counting.counts
+}
+
+/// As a shader's source has them: a product and its sum are two.
+fn apart(operations: Operations) -> Operations {
+    Operations { fused: 0, ..operations }
+}
+
+/// What the program says a shader costs is what the exported function is made of.
+#[test]
+fn exported_functions_have_the_operations_that_are_counted() {
+    let gold = preset("Gold", [1.0, 0.782, 0.344], [0.986, 0.882, 0.630]);
+    for target in LANGUAGES {
+        let whole = module(target, &source(&gold, target));
+        assert_eq!(counted(&whole, "edgewise_fresnel"), apart(Operations::of(Exported)), "{target}");
+        // Of constants naga computes what it can; where it cannot, they are as variables.
+        let kept = export_kept("gold", &gold, target, &Options::default(), Kept::Schlick).unwrap();
+        let kept = module(target, std::str::from_utf8(&kept.files[0].bytes).unwrap());
+        let (found, all) = (counted(&kept, "fresnel_gold"), apart(Operations::of(SchlickOfPixels)));
+        assert!(found == all || found == Operations { sums: all.sums - 3, ..all }, "{target}: {found:?} {all:?}");
+        let baked = export_baked("gold", metal_by_name("gold").unwrap(), target, &Options::default()).unwrap();
+        let baked = module(target, std::str::from_utf8(&baked.files[0].bytes).unwrap());
+        let polynomial = apart(Polynomial::operations_of(1, BAKED_COEFFICIENTS));
+        assert_eq!(counted(&baked, "fresnel_gold"), polynomial, "{target}");
+    }
+}
+
+/// Ten coefficients of up to a hundred are summed in single precision.
+#[test]
+fn baked_functions_return_their_curve() {
+    for name in ["gold", "osmium", "zinc", "caesium"] {
+        let metal = metal_by_name(name).unwrap();
+        let curve = bake(metal, edgewise::color::RgbSpace::LinRec709);
+        for target in LANGUAGES {
+            let baked = export_baked(name, metal, target, &Options::default()).unwrap();
+            let module = module(target, std::str::from_utf8(&baked.files[0].bytes).unwrap());
+            let function = function(&module, &format!("fresnel_{name}"));
+            for c in whole_degrees() {
+                let shown = call(&module, function, &[Value::Scalar(c.get() as f32)]).vector();
+                let off = curve.reflectance(c).max_abs_difference(Rgb(shown.map(f64::from)));
+                assert!(off < 1e-5, "{target} {name} {}°: {off}", c.deg());
+            }
+        }
     }
 }

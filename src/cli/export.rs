@@ -51,6 +51,10 @@ pub struct Export {
     /// Write only the i-th of n parts of the batch, as one of n processes that share it
     #[arg(long, value_name = "I/N", default_value = "1/1", hide_default_value = true)]
     shard: Shard,
+    /// Write each metal as r and ten coefficients for each channel, nearer to it than r and h: a function in glsl, hlsl,
+    /// wgsl or osl
+    #[arg(long, requires = "metal", conflicts_with_all = ["presets", "plan"])]
+    bake: bool,
     /// List the targets with what their readers do
     #[arg(long)]
     list: bool,
@@ -104,9 +108,13 @@ impl Export {
         if let Some(palette) = targets.iter().find(|target| target.is_palette()).filter(|_| !self.shard.is_whole()) {
             return Err(usage(&format!("--shard cannot divide {palette}, which is one file of all presets")));
         }
+        if let Some(target) = targets.iter().find(|target| self.bake && !target.can_bake()) {
+            return Err(usage(&format!("--bake writes glsl, hlsl, wgsl and osl, not {target}")));
+        }
         let mut sources: Vec<Source> = listed(&self.presets)?.into_iter().map(Source::File).collect();
         for name in &self.metal {
-            sources.push(Source::Metal(metal_by_name(name)?, self.space.unwrap_or_default()));
+            let (metal, space) = (metal_by_name(name)?, self.space.unwrap_or_default());
+            sources.push(if self.bake { Source::Baked(metal, space) } else { Source::Metal(metal, space) });
         }
         Batch::new(sources, &targets, Options { space: self.space }, self.shard, &progress_bar("Reading"))
     }

@@ -5,6 +5,7 @@ mod conversion;
 mod demonstrations;
 mod material;
 mod shown;
+mod speed;
 mod stability;
 mod trade;
 
@@ -43,6 +44,8 @@ enum Subject {
     Trade(trade::TradeCommand),
     /// How many digits each model and conversion keeps, also where its parameters are no reflectances
     Stability(stability::StabilityCommand),
+    /// How long each kernel takes on this machine, ours, textbook forms and bounds in one run
+    Speed(speed::SpeedCommand),
 }
 
 #[derive(Debug, Args)]
@@ -95,6 +98,7 @@ impl Study {
             Subject::Feasibility(command) => command.run(),
             Subject::Trade(command) => command.run(),
             Subject::Stability(command) => command.run(),
+            Subject::Speed(command) => command.run(),
         }
     }
 }

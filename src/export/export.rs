@@ -115,7 +115,7 @@ pub fn file_name(stem: &str, target: Target, own: RgbSpace, options: &Options) -
 }
 
 /// Files of another working space than the default say so, so that both can lie in one folder.
-fn name_in_space(stem: &str, target: Target, space: RgbSpace) -> String {
+pub(super) fn name_in_space(stem: &str, target: Target, space: RgbSpace) -> String {
     let suffix = target.suffix();
     if space == RgbSpace::default() { format!("{stem}.{suffix}") } else { format!("{stem}.{space}.{suffix}") }
 }

@@ -64,6 +64,8 @@ pub enum ExportError {
     Roughness { preset: String, roughness: f64 },
     #[error("{} knows {}, not {space}", target.label(), names(target.spaces()))]
     Space { target: Target, space: RgbSpace },
+    #[error("{} has no place for a function of one metal; glsl, hlsl, wgsl and osl have", target.label())]
+    Baked { target: Target },
     #[error("{} could not be written: {reason}", target.label())]
     Write { target: Target, reason: String },
 }

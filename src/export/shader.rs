@@ -46,6 +46,13 @@ fn fill(templates: &Templates, header: &[String], material: &Material<'_>) -> Wr
     Ok(format!("{comments}{text}").into_bytes())
 }
 
+/// A shader around a function of OSL, which states the reflectance at the shading point.
+pub(super) const OSL_SHADER: &str = "
+shader edgewise_$NAME(output color reflectance = 0.0) {
+    reflectance = fresnel_$NAME(abs(dot(I, N)));
+}
+";
+
 /// The functions of a language for as much of the curve as is said.
 struct Templates {
     whole: &'static str,
@@ -137,11 +144,7 @@ color fresnel_$NAME(float cosTheta) {
     return color($R);
 }
 ",
-        rest: "
-shader edgewise_$NAME(output color reflectance = 0.0) {
-    reflectance = fresnel_$NAME(abs(dot(I, N)));
-}
-",
+        rest: OSL_SHADER,
     };
 }
 

@@ -25,4 +25,4 @@ pub use metal_fit::{Fit, FitError, fit, fit_to_truth};
 pub use method::{Method, Triple};
 pub use nearest::nearest_conductor;
 pub use search::Stopped;
-pub use series::series_by_least_squares;
+pub use series::{BAKED_COEFFICIENTS, bake, samples_for_series, series_by_least_squares};

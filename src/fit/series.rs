@@ -1,9 +1,27 @@
 //! A polynomial correction on Schlick's curve, fitted to a known curve.
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::{DMatrix, DVector};
 
-use crate::color::Rgb;
+use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{CosTheta, SchlickSeries, schlick};
+use crate::metal::Metal;
+
+/// How many coefficients each channel of a baked metal has.
+pub const BAKED_COEFFICIENTS: usize = 10;
+
+/// One metal as r and ten coefficients for each channel: nearer to it than any model that can be authored.
+pub fn bake(metal: &Metal, space: RgbSpace) -> SchlickSeries {
+    series_by_least_squares(&samples_for_series(metal, space), metal.r(space), 1, BAKED_COEFFICIENTS)
+}
+
+/// The true reflectance at 129 angles, denser towards both ends, where polynomials swing between their samples.
+pub fn samples_for_series(metal: &Metal, space: RgbSpace) -> Vec<(CosTheta, Rgb)> {
+    const STEPS: u8 = 128;
+    let cosine = |step: u8| CosTheta::new((f64::from(step) / f64::from(STEPS) * FRAC_PI_2).sin().powi(2));
+    (0..=STEPS).map(|step| (cosine(step), metal.reflectance(cosine(step), space))).collect()
+}
 
 /// The series with `count` coefficients nearest to samples (angle, F), r being kept: linear least squares by QR.
 ///
@@ -30,12 +48,10 @@ pub fn series_by_least_squares(samples: &[(CosTheta, Rgb)], r: Rgb, first_power:
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
-
     use super::*;
-    use crate::color::{RgbSpace, delta_e_rgb};
+    use crate::color::delta_e_rgb;
     use crate::fresnel::whole_degrees;
-    use crate::metal::{Metal, preferred_metals};
+    use crate::metal::preferred_metals;
 
     #[test]
     fn a_curve_of_the_series_gives_its_coefficients_back() {
@@ -63,12 +79,10 @@ mod tests {
 
     /// The largest ΔE over half degrees of ten coefficients from a metal's curve.
     fn worst_of_ten_coefficients(metal: &Metal, space: RgbSpace) -> f64 {
-        let at = |cos_theta: CosTheta| (cos_theta, metal.reflectance(cos_theta, space));
-        let samples: Vec<_> = (0..=128).map(|i| at(CosTheta::new((f64::from(i) / 256.0 * PI).sin().powi(2)))).collect();
-        let series = series_by_least_squares(&samples, metal.r(space), 1, 10);
+        let series = bake(metal, space);
         let off = |half: u32| {
-            let (c, truth) = at(CosTheta::from_deg(f64::from(half) / 2.0));
-            delta_e_rgb(series.reflectance(c), truth, space)
+            let c = CosTheta::from_deg(f64::from(half) / 2.0);
+            delta_e_rgb(series.reflectance(c), metal.reflectance(c, space), space)
         };
         (0..=180).map(off).fold(0.0, f64::max)
     }

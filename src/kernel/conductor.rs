@@ -1,11 +1,13 @@
 //! The exact Fresnel reflectance of a conductor, with one division and no cancellation.
 //!
-//! Per channel, once: c0 = (n − 1)(n + 1) − k², c1 = (2 n k)², c3 = 1/max(1, n, k), c2 = n k c3. With
-//! ε − sin²θ = c0 + c² + 2 i n k of modulus z, whose root a + i b has the larger part q:
-//! F = (t1 − T) t3 / ((t1 + T)(t3 + T s²)), and 1 − F = T (2 t3 + s² (t1 + T)) over the same, a sum of what is
-//! positive. It rests on 1 + (t3 − t4)/(t3 + t4) = 2 t3/(t3 + t4), which saves a division, and on a = n k/q where
-//! the real part is negative, with everything scaled by q/max(1, n, k), so that this division vanishes too. For
-//! n² − k² < 1/2 the real part is taken as (n² − k²) − sin²θ: next to n = k = 0 the other sum cancels.
+//! With ε − sin²θ = e + 2 i n k of modulus z, whose root a + i b has the larger part q, and t1 = (z + c²) q,
+//! t3 = (z c² + s⁴) q, T = 2 c a q: F = (t1 − T) t3 / ((t1 + T)(t3 + T s²)), and 1 − F = T (2 t3 + s² (t1 + T)) over
+//! the same, a sum of what is positive. It rests on 1 + (t3 − t4)/(t3 + t4) = 2 t3/(t3 + t4), which saves a division,
+//! and on everything being multiplied by q, so that a = n k/b needs none either: a q is the larger of a b = n k and
+//! a² = (z + e)/2. Where e is negative and a² cancels, it is taken a little too small, so that n k is the larger.
+//!
+//! z, e, c² and s⁴ are halved, which is exact and saves two products; c3 = 1/max(1, n, k) keeps all in 32 bits. For
+//! n² − k² < 1/2, e is taken as (n² − k²) − sin²θ: next to n = k = 0 the other sum, (n² − k² − 1) + c², cancels.
 
 use super::{Form, Material, Real};
 use crate::color::Rgb;
@@ -24,77 +26,95 @@ pub struct ConductorAndAbsorption;
 
 impl Conductor {
     /// n and k of each channel; negative ones are held at 0, those beyond 1e9 there.
-    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 5> {
+    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 6> {
         Material::new(Self, std::array::from_fn(|i| constants(n[i], k[i])))
     }
 
     /// The conductor that r and g stand for: r is held in 0 to 1 and g in 0 to 1, and r = 1 is a mirror.
-    pub fn gulbrandsen(r: Rgb, g: Rgb) -> Material<Self, 5> {
+    pub fn gulbrandsen(r: Rgb, g: Rgb) -> Material<Self, 6> {
         Material::new(Self, std::array::from_fn(|i| constants_of_r_g(r[i], g[i])))
     }
 }
 
 impl ConductorAndAbsorption {
     /// n and k of each channel; negative ones are held at 0, those beyond 1e9 there.
-    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 5, 2> {
+    pub fn material(n: Rgb, k: Rgb) -> Material<Self, 6, 2> {
         Material::new(Self, std::array::from_fn(|i| constants(n[i], k[i])))
     }
 }
 
-/// c0 or n² − k², c1, c2 and c3 of an index, and −1 where the first is n² − k²; no index at all, n = k = 0, is a mirror as in [`crate::fresnel::conductor`].
-pub(super) fn constants(n: f64, k: f64) -> [f64; 5] {
+/// Half of n² − k² or of n² − k² − 1, how often c² and sin² are to be added to that, (n k)², n k and c3 of an index; no
+/// index at all, n = k = 0, is a mirror as in [`crate::fresnel::conductor`].
+pub(super) fn constants(n: f64, k: f64) -> [f64; 6] {
     let (n, k) = (n.clamp(0.0, LARGEST), k.clamp(0.0, LARGEST));
     if n == 0.0 && k == 0.0 {
         return MIRROR;
     }
     let c3 = 1.0 / n.max(k).max(1.0);
     let real = (n - k) * (n + k);
-    let (base, of_sine) = if real < 0.5 { (real, -1.0) } else { ((n - 1.0) * (n + 1.0) - k * k, 1.0) };
-    [base, (2.0 * n * k).powi(2).max(NO_ZERO), n * k * c3, c3, of_sine]
+    let (base, of_c2, of_s2) = if real < 0.5 { (real, 0.0, -1.0) } else { ((n - 1.0) * (n + 1.0) - k * k, 1.0, 0.0) };
+    [0.5 * base, of_c2, of_s2, (n * k).powi(2).max(NO_ZERO), n * k, c3]
 }
 
-/// The least c1. It keeps z from 0, so that air in air at 90° and the critical angle are no 0/0, and is too small to
-/// be seen in any sum of 32 bits.
+/// The least (n k)². It keeps z from 0, so that air in air at 90° and the critical angle are no 0/0, and is too small
+/// to be seen in any sum of 32 bits.
 const NO_ZERO: f64 = 1e-36;
 
 /// n = 0 and k = 1: F is 1 at every angle.
-const MIRROR: [f64; 5] = [-1.0, NO_ZERO, 0.0, 1.0, -1.0];
+const MIRROR: [f64; 6] = [-0.5, 0.0, -1.0, NO_ZERO, 0.0, 1.0];
 
-fn constants_of_r_g(r: f64, g: f64) -> [f64; 5] {
+fn constants_of_r_g(r: f64, g: f64) -> [f64; 6] {
     if r.is_nan() || g.is_nan() {
-        return [f64::NAN; 5];
+        return [f64::NAN; 6];
     }
     nk_from_r_g(r.max(0.0), g.clamp(0.0, 1.0)).map_or(MIRROR, |Nk { n, k }| constants(n, k))
 }
 
-/// c, c², and 1 − c².
+/// c, c² and sin², and halves of them and of sin⁴.
 #[derive(Clone, Copy, Debug)]
 pub struct Angle<T> {
     c: T,
     c2: T,
     s2: T,
+    half_c2: T,
+    half_s2: T,
+    half_s4: T,
 }
 
 impl<T: Real> Angle<T> {
     #[inline(always)]
     pub(super) fn of(c: T) -> Self {
-        let one = c.of(1.0);
-        Self { c, c2: c * c, s2: (one - c) * (one + c) }
+        let (one, half) = (c.of(1.0), c.of(0.5));
+        let (c2, s2) = (c * c, sine_squared(c, one));
+        let half_s2 = s2 * half;
+        Self { c, c2, s2, half_c2: c2 * half, half_s2, half_s4: s2 * half_s2 }
     }
 
-    /// The parts that F and 1 − F are made of.
+    /// The parts that F and 1 − F are made of, from the constants of an index.
     #[inline(always)]
-    pub(super) fn parts(self, [base, c1, c2, c3, of_sine]: [T; 5]) -> Parts<T> {
-        let (zero, one, half) = (self.c.of(0.0), self.c.of(1.0), self.c.of(0.5));
-        let re = base + of_sine.if_below(zero, -self.s2, self.c2);
-        let z = re.mul_add(re, c1).sqrt();
-        let q = ((z + re.abs()) * half).sqrt();
-        let scale = re.if_below(zero, q * c3, one);
-        let t = (self.c + self.c) * re.if_below(zero, c2, q);
-        let t1 = (z + self.c2) * scale;
-        let t3 = z.mul_add(self.c2, self.s2 * self.s2) * scale;
+    pub(super) fn parts(self, [base, of_c2, of_s2, nk2, nk, c3]: [T; 6]) -> Parts<T> {
+        let real = of_c2.mul_add(self.half_c2, of_s2.mul_add(self.half_s2, base));
+        self.parts_of(real, nk2, nk, c3)
+    }
+
+    /// The same from half of e and the rest of the constants.
+    #[inline(always)]
+    fn parts_of(self, real: T, nk2: T, nk: T, c3: T) -> Parts<T> {
+        let z = real.mul_add(real, nk2).sqrt();
+        let q = (z + real.abs()).sqrt() * c3;
+        // A unit in the last place more of a negative part than rounding can have put into z.
+        let aq = real.mul_add(real.above_one(), z).larger(nk);
+        let t = self.c * c3 * aq;
+        let t1 = (z + self.half_c2) * q;
+        let t3 = z.mul_add(self.c2, self.half_s4) * q;
         Parts { t, t1, t3, s2: self.s2 }
     }
+}
+
+/// sin² of the angle with cosine c, without cancellation at 0°.
+#[inline(always)]
+fn sine_squared<T: Real>(c: T, one: T) -> T {
+    (one - c) * (one + c)
 }
 
 /// See the head of this file.
@@ -120,7 +140,7 @@ impl<T: Real> Parts<T> {
     }
 }
 
-impl Form<5> for Conductor {
+impl Form<6> for Conductor {
     type Shared<T: Real> = Angle<T>;
 
     #[inline(always)]
@@ -129,12 +149,12 @@ impl Form<5> for Conductor {
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 5]) -> [T; 1] {
+    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 6]) -> [T; 1] {
         [angle.parts(constants).reflectance()]
     }
 }
 
-impl Form<5, 2> for ConductorAndAbsorption {
+impl Form<6, 2> for ConductorAndAbsorption {
     type Shared<T: Real> = Angle<T>;
 
     #[inline(always)]
@@ -143,7 +163,7 @@ impl Form<5, 2> for ConductorAndAbsorption {
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 5]) -> [T; 2] {
+    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 6]) -> [T; 2] {
         angle.parts(constants).reflectance_and_absorption()
     }
 }
@@ -222,8 +242,8 @@ impl<T: Real> Angle<T> {
     /// F of an index, by any c3 with which n c3 and k c3 are about 1 where n or k is large: no division for it.
     #[inline(always)]
     fn of_pixel(self, c0: T, nk: T, c3: T) -> T {
-        let twice = nk + nk;
-        self.parts([c0, twice.mul_add(twice, nk.of(NO_ZERO)), nk * c3, c3, nk.of(1.0)]).reflectance()
+        let real = c0.mul_add(c0.of(0.5), self.half_c2);
+        self.parts_of(real, nk.mul_add(nk, nk.of(NO_ZERO)), nk, c3).reflectance()
     }
 }
 
@@ -247,15 +267,15 @@ impl Dielectric {
 }
 
 impl Form<1> for Dielectric {
-    type Shared<T: Real> = Angle<T>;
+    type Shared<T: Real> = (T, T);
 
     #[inline(always)]
-    fn shared<T: Real>(self, c: T) -> Angle<T> {
-        Angle::of(c)
+    fn shared<T: Real>(self, c: T) -> (T, T) {
+        (c, sine_squared(c, c.of(1.0)))
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, Angle { c, s2, .. }: Angle<T>, [e]: [T; 1]) -> [T; 1] {
+    fn channel<T: Real>(self, (c, s2): (T, T), [e]: [T; 1]) -> [T; 1] {
         let (one, no_zero) = (c.of(1.0), c.of(NO_ZERO));
         let square = c.mul_add(c, e);
         let g = square.abs().sqrt();

@@ -27,6 +27,8 @@ fn schlick_at_theta_max<T: Real>(r: T) -> T {
 }
 
 impl Form<2> for TintOfEdge {
+    const HOLDS_PIXELS: Option<f64> = Some(1e30);
+
     type Shared<T: Real> = ();
 
     #[inline(always)]
@@ -40,6 +42,8 @@ impl Form<2> for TintOfEdge {
 }
 
 impl Form<2> for EdgeOfTint {
+    const HOLDS_PIXELS: Option<f64> = Some(1e15);
+
     type Shared<T: Real> = ();
 
     #[inline(always)]

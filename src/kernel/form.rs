@@ -13,6 +13,10 @@ pub trait Form<const P: usize, const N: usize = 1>: Copy {
     /// False for a textbook form, which is given cosines as they come.
     const HOLDS_COSINE: bool = true;
 
+    /// How large a parameter of a pixel may be, either way; beyond, it is held there. `None` where the form itself holds
+    /// them, and for a textbook form, which takes what comes.
+    const HOLDS_PIXELS: Option<f64> = None;
+
     /// What depends only on the angle.
     type Shared<T: Real>: Copy;
 
@@ -87,13 +91,27 @@ impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
 pub type Planes<'a, const P: usize> = [[&'a [f32]; 3]; P];
 
 /// A formula at every pixel, its parameters from a texture: `parameters` has a slice for each and each channel.
+///
+/// Finite parameters give finite results: what a form would overflow of is held, see [`Form::HOLDS_PIXELS`].
 pub fn over_pixels<F: Form<P, N>, const P: usize, const N: usize>(
     form: F,
     level: Level,
     (cosines, parameters): (&[f32], Planes<'_, P>),
     out: [[&mut [f32]; 3]; N],
 ) {
-    dispatch!(level, simd => each_chunk(simd, (cosines, parameters), out, #[inline(always)] |c, p| at(form, p, c)));
+    dispatch!(level, simd => each_chunk(simd, (cosines, parameters), out,
+        #[inline(always)] |c, p| at(form, held_pixels::<_, F, P, N>(p), c)));
+}
+
+/// The parameters of a pixel as the form can take them.
+#[inline(always)]
+fn held_pixels<T: Real, F: Form<P, N>, const P: usize, const N: usize>(mut parameters: [[T; P]; 3]) -> [[T; P]; 3] {
+    if let Some(most) = F::HOLDS_PIXELS {
+        for parameter in parameters.as_flattened_mut() {
+            *parameter = parameter.limited(-most, most);
+        }
+    }
+    parameters
 }
 
 #[inline(always)]
@@ -170,9 +188,11 @@ fn shortest<const P: usize, const M: usize, const N: usize>(
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
-    use crate::kernel::test_support::results;
-    use crate::kernel::{Basis, ConductorAndAbsorption, levels};
+    use crate::kernel::test_support::{finite, results};
+    use crate::kernel::{Basis, ConductorAndAbsorption, EdgeOfTint, Exported, F82OfPixels, TintOfEdge, levels};
 
     #[test]
     fn every_length_is_covered_by_every_instruction_set() {
@@ -191,6 +211,24 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    fn finite_of_pixels<F: Form<2>>(form: F, [x, y, c]: [f32; 3]) -> bool {
+        let (x, y) = ([x], [y]);
+        let mut out = [[f32::NAN; 1]; 3];
+        let planes: Planes<'_, 2> = [[&x; 3], [&y; 3]];
+        over_pixels(form, Level::new(), (&[c], planes), [out.each_mut().map(|plane| &mut plane[..])]);
+        out.as_flattened().iter().all(|f| f.is_finite())
+    }
+
+    proptest! {
+        #[test]
+        fn finite_pixels_are_finite(x in finite(), y in finite(), c in finite()) {
+            let point = [x, y, c];
+            prop_assert!(finite_of_pixels(Basis, point) && finite_of_pixels(Exported, point));
+            prop_assert!(finite_of_pixels(F82OfPixels, point));
+            prop_assert!(finite_of_pixels(TintOfEdge, point) && finite_of_pixels(EdgeOfTint, point));
         }
     }
 

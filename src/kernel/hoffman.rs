@@ -53,6 +53,8 @@ impl Basis {
 }
 
 impl Form<2> for Basis {
+    const HOLDS_PIXELS: Option<f64> = Some(1e30);
+
     type Shared<T: Real> = [T; 3];
 
     #[inline(always)]
@@ -77,6 +79,8 @@ impl Form<2> for Basis {
 pub struct Exported;
 
 impl Form<2> for Exported {
+    const HOLDS_PIXELS: Option<f64> = Some(1e30);
+
     type Shared<T: Real> = (T, T);
 
     #[inline(always)]
@@ -97,6 +101,8 @@ impl Form<2> for Exported {
 pub struct F82OfPixels;
 
 impl Form<2> for F82OfPixels {
+    const HOLDS_PIXELS: Option<f64> = Some(1e15);
+
     type Shared<T: Real> = (T, T);
 
     #[inline(always)]

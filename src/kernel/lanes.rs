@@ -130,6 +130,16 @@ impl<S: Simd> Real for Lanes<S> {
     }
 
     #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        self.with(self.values.max(other.values))
+    }
+
+    #[inline(always)]
+    fn above_one(self) -> Self {
+        self.of(1.0 + f64::from(f32::EPSILON))
+    }
+
+    #[inline(always)]
     fn limited(self, low: f64, high: f64) -> Self {
         self.with(self.values.clamp(self.of(low).values, self.of(high).values))
     }

@@ -16,7 +16,8 @@
 //! instruction set of the machine at run time (4, 8 or 16 numbers at a time); as `f32` it is what a shader computes;
 //! as `f64` it is held against [`crate::fresnel`]. Slices are structures of arrays: one for each channel.
 //!
-//! No finite cosine and no parameters that their constructor takes make a NaN or an infinity; a NaN stays one.
+//! No finite cosine and no finite parameters, of a material or of pixels, make a NaN or an infinity; a NaN stays one.
+//! Textbook forms promise nothing.
 
 mod conductor;
 mod convert;
@@ -44,9 +45,9 @@ pub use lab::LabConversion;
 pub use lazanyi::{GeneralizedSchlick, Lazanyi};
 pub use level::{Level, level_id, levels};
 pub use operations::Operations;
-pub use polynomial::{COEFFICIENTS, Polynomial};
+pub use polynomial::Polynomial;
 pub use real::Real;
-pub use schlick::{Schlick, SchlickOfPixels};
+pub use schlick::{Constant, Schlick, SchlickOfPixels};
 pub use spectral::Spectral;
 pub use table::Table;
 

@@ -1,18 +1,19 @@
 //! How many operations a formula is made of, counted by running it.
 
 use std::cell::Cell;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use super::{Form, Real, form::at};
 
-/// Operations on single numbers, as they stand in a shader's source. A product and its sum are two, although a
-/// graphics processor does both at once; constants are counted nowhere.
+/// Operations on single numbers, as they stand in a shader's source; constants are counted nowhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Sums and differences.
     pub sums: u32,
     /// Products.
     pub products: u32,
+    /// How many of the products are written with the sum that follows, and so are one instruction with it.
+    pub fused: u32,
     /// Quotients.
     pub quotients: u32,
     /// Square roots.
@@ -21,6 +22,8 @@ pub struct Operations {
     pub powers: u32,
     /// Comparisons, choices, limits, absolute values and changes of sign.
     pub choices: u32,
+    /// Reads from a table.
+    pub loads: u32,
 }
 
 impl Operations {
@@ -38,15 +41,35 @@ impl Operations {
         COUNTS.replace(before)
     }
 
-    /// All of them.
+    /// All of them, a product and its sum being two.
     pub const fn total(self) -> u32 {
-        self.sums + self.products + self.quotients + self.roots + self.powers + self.choices
+        self.sums + self.products + self.quotients + self.roots + self.powers + self.choices + self.loads
+    }
+
+    /// Issue slots, a product and its sum being one: graphics processors take one simple operation in each, and a
+    /// division, a root, a power or a read in every fourth (AMD, RDNA 2 instruction set architecture, 2020).
+    pub const fn slots(self) -> u32 {
+        let special = self.quotients + self.roots + self.powers + self.loads;
+        self.sums + self.products - self.fused + self.choices + 4 * special
+    }
+}
+
+impl AddAssign for Operations {
+    fn add_assign(&mut self, other: Self) {
+        self.sums += other.sums;
+        self.products += other.products;
+        self.fused += other.fused;
+        self.quotients += other.quotients;
+        self.roots += other.roots;
+        self.powers += other.powers;
+        self.choices += other.choices;
+        self.loads += other.loads;
     }
 }
 
 thread_local! {
     static COUNTS: Cell<Operations> = const { Cell::new(Operations {
-        sums: 0, products: 0, quotients: 0, roots: 0, powers: 0, choices: 0,
+        sums: 0, products: 0, fused: 0, quotients: 0, roots: 0, powers: 0, choices: 0, loads: 0,
     }) };
 }
 
@@ -68,8 +91,12 @@ impl Real for Counted {
         self
     }
 
-    fn mul_add(self, factor: Self, term: Self) -> Self {
-        self * factor + term
+    fn mul_add(self, _: Self, _: Self) -> Self {
+        self.count(|counts| {
+            counts.products += 1;
+            counts.sums += 1;
+            counts.fused += 1;
+        })
     }
 
     fn sqrt(self) -> Self {
@@ -82,6 +109,14 @@ impl Real for Counted {
 
     fn if_below(self, _: Self, _: Self, _: Self) -> Self {
         self.count(|counts| counts.choices += 2)
+    }
+
+    fn larger(self, _: Self) -> Self {
+        self.count(|counts| counts.choices += 1)
+    }
+
+    fn above_one(self) -> Self {
+        self
     }
 
     fn limited(self, _: f64, _: f64) -> Self {
@@ -149,10 +184,10 @@ mod tests {
     #[test]
     fn schlick_and_h_have_what_stands_in_them() {
         let limit = 2;
-        let schlick = Operations { sums: 1 + 3, products: 3 + 3, choices: limit, ..Operations::default() };
-        assert_eq!(Operations::of(Schlick), schlick);
-        let hoffman = Operations { sums: 1 + 6, products: 4 + 6, choices: limit, ..Operations::default() };
-        assert_eq!((Operations::of(Factored), hoffman.total()), (hoffman, 19));
+        let schlick = Operations { sums: 1 + 3, products: 3 + 3, fused: 3, choices: limit, ..Operations::default() };
+        assert_eq!((Operations::of(Schlick), schlick.slots()), (schlick, 9));
+        let hoffman = Operations { sums: 1 + 6, products: 4 + 6, fused: 6, choices: limit, ..Operations::default() };
+        assert_eq!((Operations::of(Factored), hoffman.total(), hoffman.slots()), (hoffman, 19, 13));
     }
 
     #[test]

@@ -1,53 +1,91 @@
-//! One metal baked into ten coefficients per channel on top of Schlick.
+//! One metal baked into a few coefficients per channel on top of Schlick.
 
-use super::{Form, Material, Real, held};
-use crate::color::Rgb;
+use super::operations::Counted;
+use super::{Form, Material, Operations, Real, held};
+use crate::fresnel::SchlickSeries;
 
-/// How many coefficients each channel has.
-pub const COEFFICIENTS: usize = 10;
-
-/// r + x⁵ (1 − r) + c x P(x) with P of degree 9: exact facing and grazing for any coefficients.
+/// r + x⁵ (1 − r) + c xᵖ (b₀ + b₁ x + …), see [`SchlickSeries`]: exact facing and grazing for any coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polynomial;
+pub struct Polynomial {
+    first_power: u32,
+}
 
 impl Polynomial {
-    /// r and the coefficients of P of each channel, the constant one first. Values beyond ±1e30 are held there.
-    pub fn material(r: Rgb, coefficients: [Rgb; COEFFICIENTS]) -> Material<Self, 12> {
+    /// The curve of a series of P − 2 coefficients, at least 1; `None` for another number. Values beyond ±1e30 are held
+    /// there.
+    pub fn material<const P: usize>(series: &SchlickSeries) -> Option<Material<Self, P>> {
+        let is_of_this_length = P > 2 && series.coefficients.len() == P - 2;
         let channel = |i: usize| {
-            let mut constants = [held(r[i]); 12];
-            constants[1] = 1.0 - held(r[i]);
-            for (constant, coefficient) in constants[2..].iter_mut().zip(coefficients) {
+            let r = held(series.r[i]);
+            let mut constants = [r; P];
+            constants[1] = 1.0 - r;
+            for (constant, coefficient) in constants[2..].iter_mut().zip(&series.coefficients) {
                 *constant = held(coefficient[i]);
             }
             constants
         };
-        Material::new(Self, std::array::from_fn(channel))
+        is_of_this_length.then(|| Material::new(Self { first_power: series.first_power }, std::array::from_fn(channel)))
+    }
+
+    /// Operations for one RGB value with so many coefficients, at least 1.
+    pub fn operations_of(first_power: u32, count: usize) -> Operations {
+        let constants = vec![Counted; count + 2];
+        Operations::while_running(|| {
+            let powers = Self { first_power }.powers(Counted.limited(0.0, 1.0));
+            for _ in 0..3 {
+                powers.curve(&constants);
+            }
+        })
+    }
+
+    #[inline(always)]
+    fn powers<T: Real>(self, c: T) -> Powers<T> {
+        let x = c.of(1.0) - c;
+        let x5 = x.fifth_power();
+        let (mut bump, mut power) = (c * x, 1);
+        if self.first_power >= 6 {
+            (bump, power) = (bump * x5, 6);
+        }
+        while power < self.first_power {
+            bump = bump * x;
+            power += 1;
+        }
+        Powers { x, x5, bump }
     }
 }
 
-/// x, x⁵ and c x.
+/// x, x⁵ and c xᵖ.
 #[derive(Clone, Copy, Debug)]
 pub struct Powers<T> {
     x: T,
     x5: T,
-    cx: T,
+    bump: T,
 }
 
-impl Form<12> for Polynomial {
+impl<T: Real> Powers<T> {
+    /// One channel, of r, 1 − r and at least one coefficient.
+    #[inline(always)]
+    fn curve(self, constants: &[T]) -> T {
+        let [r, white_minus_r, lower @ .., last] = constants else { return self.x };
+        let mut sum = *last;
+        for coefficient in lower.iter().rev() {
+            sum = sum.mul_add(self.x, *coefficient);
+        }
+        self.bump.mul_add(sum, self.x5.mul_add(*white_minus_r, *r))
+    }
+}
+
+impl<const P: usize> Form<P> for Polynomial {
     type Shared<T: Real> = Powers<T>;
 
     #[inline(always)]
     fn shared<T: Real>(self, c: T) -> Powers<T> {
-        let x = c.of(1.0) - c;
-        Powers { x, x5: x.fifth_power(), cx: c * x }
+        self.powers(c)
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, Powers { x, x5, cx }: Powers<T>, constants: [T; 12]) -> [T; 1] {
-        let [r, white_minus_r, p0, p1, p2, p3, p4, p5, p6, p7, p8, p9] = constants;
-        let inner = p9.mul_add(x, p8).mul_add(x, p7).mul_add(x, p6).mul_add(x, p5);
-        let outer = inner.mul_add(x, p4).mul_add(x, p3).mul_add(x, p2).mul_add(x, p1).mul_add(x, p0);
-        [cx.mul_add(outer, x5.mul_add(white_minus_r, r))]
+    fn channel<T: Real>(self, powers: Powers<T>, constants: [T; P]) -> [T; 1] {
+        [powers.curve(&constants)]
     }
 }
 
@@ -56,25 +94,49 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::fresnel::{CosTheta, schlick};
+    use crate::color::Rgb;
     use crate::kernel::test_support::{distance, finite};
+
+    fn series(r: f64, first_power: u32, coefficients: &[f64]) -> SchlickSeries {
+        let coefficients = coefficients.iter().map(|b| Rgb::splat(*b)).collect();
+        SchlickSeries { r: Rgb::splat(r), first_power, coefficients }
+    }
 
     proptest! {
         #[test]
-        fn is_its_sum(r in 0.0..=1.0, p in prop::array::uniform10(-1.0..1.0)) {
-            let curve = Polynomial::material(Rgb::splat(r), p.map(Rgb::splat));
-            let off = distance(&curve, |_, c| {
-                let x = 1.0 - c;
-                let sum: f64 = (0..).zip(p).map(|(power, p)| p * x.powi(power)).sum();
-                schlick(r, CosTheta::new(c)) + c * x * sum
-            });
+        fn is_the_core(r in 0.0..=1.0, b in prop::array::uniform10(-1.0..1.0), first_power in 1..9_u32) {
+            let core = series(r, first_power, &b);
+            let curve = Polynomial::material::<12>(&core).unwrap();
+            let off = distance(&curve, |_, c| core.reflectance(crate::fresnel::CosTheta::new(c))[0]);
             prop_assert!(off <= 2e-6, "{off}");
         }
 
         #[test]
-        fn is_total(r in finite(), p in finite(), c in finite()) {
-            let (r, p) = (Rgb::splat(f64::from(r)), Rgb::splat(f64::from(p)));
-            prop_assert!(Polynomial::material(r, [p; 10]).at(c)[0].iter().all(|f| f.is_finite()));
+        fn is_total(r in finite(), b in finite(), c in finite()) {
+            let curve = Polynomial::material::<12>(&series(f64::from(r), 1, &[f64::from(b); 10])).unwrap();
+            prop_assert!(curve.at(c)[0].iter().all(|f| f.is_finite()));
         }
+    }
+
+    #[test]
+    fn another_number_of_coefficients_is_another_kernel() {
+        let three = series(0.5, 6, &[1.0, 2.0, 3.0]);
+        assert!(Polynomial::material::<5>(&three).is_some() && Polynomial::material::<12>(&three).is_none());
+        assert!(Polynomial::material::<2>(&series(0.5, 1, &[])).is_none());
+    }
+
+    /// By hand: x, x⁵ in three products, c x⁶ in two; two products with sums, a bump and Schlick's sum per channel.
+    #[test]
+    fn operations_are_those_of_horners_scheme() {
+        let curve = Polynomial::material::<5>(&series(0.5, 6, &[1.0, 2.0, 3.0])).unwrap();
+        let limit = 2;
+        let expected = Operations {
+            sums: 1 + 3 * 4,
+            products: 3 + 2 + 3 * 4,
+            fused: 3 * 4,
+            choices: limit,
+            ..Operations::default()
+        };
+        assert_eq!((curve.operations(), Polynomial::operations_of(6, 3)), (expected, expected));
     }
 }

@@ -23,6 +23,12 @@ pub trait Real:
     /// `then` where `self < bound`, else `otherwise`; NaN is below nothing.
     fn if_below(self, bound: Self, then: Self, otherwise: Self) -> Self;
 
+    /// The larger of two numbers; either of them where one is NaN.
+    fn larger(self, other: Self) -> Self;
+
+    /// The next number above 1.
+    fn above_one(self) -> Self;
+
     /// Limited to `low..=high`; NaN stays NaN.
     fn limited(self, low: f64, high: f64) -> Self;
 
@@ -69,6 +75,16 @@ macro_rules! scalar {
             #[inline(always)]
             fn if_below(self, bound: Self, then: Self, otherwise: Self) -> Self {
                 if self < bound { then } else { otherwise }
+            }
+
+            #[inline(always)]
+            fn larger(self, other: Self) -> Self {
+                self.max(other)
+            }
+
+            #[inline(always)]
+            fn above_one(self) -> Self {
+                1.0 + <$number>::EPSILON
             }
 
             #[inline(always)]

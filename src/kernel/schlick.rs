@@ -1,4 +1,4 @@
-//! Schlick's approximation (Schlick 1994), as in [`crate::fresnel::schlick`].
+//! Schlick's approximation (Schlick 1994), as in [`crate::fresnel::schlick`], and no approximation at all.
 
 use super::{Form, Material, Real, held};
 use crate::color::Rgb;
@@ -28,11 +28,38 @@ impl Form<2> for Schlick {
     }
 }
 
-/// The same from r alone: for textures.
+/// r at every angle: no Fresnel term.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant;
+
+impl Constant {
+    /// The curve of one material.
+    pub fn material(r: Rgb) -> Material<Self, 1> {
+        Material::new(Self, r.0.map(|r| [held(r)]))
+    }
+}
+
+impl Form<1> for Constant {
+    const HOLDS_COSINE: bool = false;
+
+    type Shared<T: Real> = ();
+
+    #[inline(always)]
+    fn shared<T: Real>(self, _: T) {}
+
+    #[inline(always)]
+    fn channel<T: Real>(self, (): (), r: [T; 1]) -> [T; 1] {
+        r
+    }
+}
+
+/// Schlick from r alone: for textures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SchlickOfPixels;
 
 impl Form<1> for SchlickOfPixels {
+    const HOLDS_PIXELS: Option<f64> = Some(1e30);
+
     type Shared<T: Real> = T;
 
     #[inline(always)]

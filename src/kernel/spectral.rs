@@ -9,11 +9,14 @@ use super::operations::{Counted, Operations};
 use crate::color::Rgb;
 use crate::fresnel::Nk;
 
+/// The constants of a conductor, and its weight of each channel.
+type Wavelength = ([f32; 6], [f32; 3]);
+
 /// One material at N wavelengths, in 32 bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectral {
-    /// The constants of a conductor, then its weight of each channel.
-    wavelengths: Vec<([f32; 5], [f32; 3])>,
+    /// One after the other.
+    wavelengths: Vec<Wavelength>,
 }
 
 impl Spectral {
@@ -34,11 +37,16 @@ impl Spectral {
         size_of_val(self.wavelengths.as_slice())
     }
 
-    /// Operations for one RGB value.
-    pub fn operations(&self) -> Operations {
-        Operations::while_running(|| {
-            self.at(Counted);
-        })
+    /// Operations for one RGB value of so many wavelengths.
+    pub fn operations_of(count: usize) -> Operations {
+        let angle = || Angle::of(Counted.limited(0.0, 1.0));
+        let mut all = Operations::while_running(|| {
+            angle();
+        });
+        let angle = angle();
+        let each = Operations::while_running(|| add(&mut [Counted; 3], angle, &Wavelength::default()));
+        (0..count).for_each(|_| all += each);
+        all
     }
 
     /// At one cosine, held in `[0, 1]`.
@@ -46,15 +54,8 @@ impl Spectral {
     pub fn at<T: Real>(&self, c: T) -> [T; 3] {
         let angle = Angle::of(c.limited(0.0, 1.0));
         let mut sum = [c.of(0.0); 3];
-        for (constants, weights) in &self.wavelengths {
-            let constants = constants.map(
-                #[inline(always)]
-                |x| c.of(f64::from(x)),
-            );
-            let reflectance = angle.parts(constants).reflectance();
-            for (sum, weight) in sum.iter_mut().zip(weights) {
-                *sum = reflectance.mul_add(c.of(f64::from(*weight)), *sum);
-            }
+        for wavelength in &self.wavelengths {
+            add(&mut sum, angle, wavelength);
         }
         sum
     }
@@ -76,11 +77,31 @@ impl Spectral {
     }
 }
 
+/// Adds what one wavelength reflects.
+#[inline(always)]
+fn add<T: Real>(sum: &mut [T; 3], angle: Angle<T>, (constants, weights): &Wavelength) {
+    let kind = sum[0];
+    let constants = constants.map(
+        #[inline(always)]
+        |x| kind.of(f64::from(x)),
+    );
+    let reflectance = angle.parts(constants).reflectance();
+    for (sum, weight) in sum.iter_mut().zip(weights) {
+        *sum = reflectance.mul_add(kind.of(f64::from(*weight)), *sum);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::fresnel::{CosTheta, conductor};
     use crate::kernel::levels;
+
+    #[test]
+    fn each_wavelength_divides_once_and_has_two_roots() {
+        let (few, many) = (Spectral::operations_of(3), Spectral::operations_of(20));
+        assert_eq!((few.quotients, few.roots, many.quotients, many.roots), (3, 6, 20, 40));
+    }
 
     #[test]
     fn is_the_weighted_sum_of_conductors() {

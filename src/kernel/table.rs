@@ -41,9 +41,18 @@ impl Table {
         3 * self.size() * size_of::<f32>()
     }
 
-    /// Operations for one RGB value: the place of the cosine, its whole part and rest, and a step per channel.
-    pub const OPERATIONS: Operations =
-        Operations { sums: 1 + 6, products: 1 + 3, quotients: 0, roots: 1, powers: 0, choices: 2 + 2 };
+    /// Operations for one RGB value: the place of the cosine, its whole part and rest, and two values of three channels
+    /// with what is between.
+    pub const OPERATIONS: Operations = Operations {
+        sums: 1 + 6,
+        products: 1 + 3,
+        fused: 3,
+        quotients: 0,
+        roots: 1,
+        powers: 0,
+        choices: 2 + 2,
+        loads: 2,
+    };
 
     /// At one cosine, held in `[0, 1]`; NaN is NaN.
     pub fn at(&self, c: f32) -> [f32; 3] {

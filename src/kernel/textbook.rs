@@ -1,5 +1,8 @@
 //! The same models as textbooks, papers and renderers print them: what ours are measured against, not to be used.
 
+use fearless_simd::{Level, Simd, dispatch};
+
+use super::form::each_chunk;
 use super::{Form, Material, Real};
 use crate::color::Rgb;
 use crate::fresnel::{PEAK_GAIN, SCHLICK_GAIN};
@@ -270,6 +273,49 @@ impl Form<2> for DividerBound {
     fn channel<T: Real>(self, c: T, [x, y]: [T; 2]) -> [T; 1] {
         let (first, second) = (c + x, c + y);
         [first.sqrt() + second.sqrt() + x / second]
+    }
+}
+
+/// No model: two square roots and one division for each of N wavelengths, the least a spectral sum needs. A bound for
+/// time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectralDividerBound {
+    wavelengths: Vec<[f32; 2]>,
+}
+
+impl SpectralDividerBound {
+    /// For so many wavelengths.
+    pub fn new(count: usize) -> Self {
+        Self { wavelengths: (1..=count).map(|i| [i as f32, 0.5 + i as f32]).collect() }
+    }
+
+    /// At every cosine; the shortest slice ends it.
+    pub fn over(&self, level: Level, cosines: &[f32], out: [&mut [f32]; 3]) {
+        dispatch!(level, simd => self.over_lanes(simd, cosines, out));
+    }
+
+    #[inline(always)]
+    fn over_lanes<S: Simd>(&self, simd: S, cosines: &[f32], out: [&mut [f32]; 3]) {
+        each_chunk(
+            simd,
+            (cosines, []),
+            [out],
+            #[inline(always)]
+            |c, _| [[self.sum(c); 3]],
+        );
+    }
+
+    #[inline(always)]
+    fn sum<T: Real>(&self, c: T) -> T {
+        let mut sum = c.of(0.0);
+        for wavelength in &self.wavelengths {
+            let [x, y] = wavelength.map(
+                #[inline(always)]
+                |x| c.of(f64::from(x)),
+            );
+            sum = sum + DividerBound.channel(c, [x, y])[0];
+        }
+        sum
     }
 }
 

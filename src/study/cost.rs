@@ -5,60 +5,39 @@ use std::{fmt, str::FromStr};
 use serde::{Deserialize, Serialize};
 
 use super::Variant;
-use crate::color::UnknownName;
+use crate::color::{Rgb, UnknownName};
 use crate::fresnel::ModelKind;
+use crate::kernel::{
+    Conductor, Factored, GeneralizedSchlick, Lazanyi, Operations, Polynomial, Schlick, Spectral, Table,
+};
 use crate::spectrum::SAMPLES;
 
-/// Operations of one evaluation of three channels, counted in the shader text with everything that depends on the
-/// material alone computed before; a multiplication with an addition is one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Additions, multiplications, both in one, comparisons.
-    pub simple: u32,
-    /// Divisions, square roots, exponentials and logarithms.
-    pub special: u32,
-    /// Reads from a table.
-    pub loads: u32,
-}
-
-impl Operations {
-    const fn new(simple: u32, special: u32, loads: u32) -> Self {
-        Self { simple, special, loads }
-    }
-
-    /// Issue slots: graphics processors take one simple operation in each, and a special one or a read in every fourth
-    /// (AMD, RDNA 2 instruction set architecture, 2020).
-    pub const fn slots(self) -> u32 {
-        self.simple + 4 * (self.special + self.loads)
-    }
-}
-
-/// Simple and special operations of one conductor channel, with both polarisations over one division.
-const CONDUCTOR_CHANNEL: (u32, u32) = (16, 3);
+/// A power that has to be computed as one.
+const BROKEN_POWER: f64 = 5.5;
 
 impl Variant {
-    /// The operations of one evaluation of three channels.
-    pub const fn operations(self) -> Operations {
-        let (simple, special) = CONDUCTOR_CHANNEL;
+    /// The operations of one evaluation of three channels, counted by running its kernel: everything that depends on
+    /// the material alone is computed before.
+    pub fn operations(self) -> Operations {
+        let any = Rgb::splat(0.5);
         match self {
             Self::Model(kind, _) => match kind {
-                // A move for each channel.
-                ModelKind::Constant => Operations::new(3, 0, 0),
-                // x, x², x⁴, x⁵; one for each channel.
-                ModelKind::Schlick => Operations::new(4 + 3, 0, 0),
-                // The same and c x; two for each channel.
-                ModelKind::Hoffman | ModelKind::F82Tint => Operations::new(5 + 6, 0, 0),
-                // x⁵, and c x^α by a logarithm and an exponential.
-                ModelKind::Lazanyi => Operations::new(6 + 6, 2, 0),
-                // x^p, x⁶ c; two for each channel.
-                ModelKind::GeneralizedSchlick => Operations::new(7 + 6, 2, 0),
+                // Nothing is computed: a move for each channel.
+                ModelKind::Constant => Operations { choices: 3, ..Operations::default() },
+                ModelKind::Schlick => Operations::of(Schlick),
+                ModelKind::Hoffman | ModelKind::F82Tint => Operations::of(Factored),
+                ModelKind::Lazanyi => Lazanyi::material(any, any, BROKEN_POWER).operations(),
+                ModelKind::GeneralizedSchlick => {
+                    GeneralizedSchlick::material(any, any, Rgb::WHITE, BROKEN_POWER).operations()
+                }
                 // Of a known material, (r, g) are n and k.
-                ModelKind::Gulbrandsen | ModelKind::Conductor => Operations::new(3 * simple, 3 * special, 0),
+                ModelKind::Gulbrandsen | ModelKind::Conductor => Operations::of(Conductor),
             },
-            Self::Series(count) | Self::Polynomial(count) => Operations::new(5 + 3 * (count as u32 + 1), 0, 0),
-            Self::Table(_) => Operations::new(5 + 6, 1, 2),
-            Self::Spectral(count) => wavelengths(count as u32),
-            Self::Exact => wavelengths(SAMPLES as u32),
+            Self::Series(count) => Polynomial::operations_of(6, count),
+            Self::Polynomial(count) => Polynomial::operations_of(1, count),
+            Self::Table(_) => Table::OPERATIONS,
+            Self::Spectral(count) => Spectral::operations_of(count),
+            Self::Exact => Spectral::operations_of(SAMPLES),
         }
     }
 
@@ -78,11 +57,6 @@ impl Variant {
         };
         4 * numbers as u64
     }
-}
-
-/// A conductor channel and three weights for each wavelength.
-const fn wavelengths(count: u32) -> Operations {
-    Operations::new((CONDUCTOR_CHANNEL.0 + 3) * count, CONDUCTOR_CHANNEL.1 * count, 0)
 }
 
 /// All costs of a variant.
@@ -216,11 +190,13 @@ mod tests {
         assert_eq!(timed.of(Variant::SCHLICK).on(CostAxis::MeasuredNs), Some(0.2));
     }
 
-    /// The exported shader of Hoffman's model with `a` stored: 1 subtraction, 4 multiplications, 6 of both.
+    /// Hoffman's model with `a` stored: 1 subtraction, 4 multiplications, 6 of both, and the limits of the cosine.
     #[test]
-    fn counts_are_those_of_the_text() {
-        assert_eq!(Variant::HOFFMAN.operations(), Operations::new(11, 0, 0));
-        assert_eq!(Variant::SCHLICK.operations().slots(), 7);
+    fn counts_are_those_of_the_kernels() {
+        assert_eq!(Variant::HOFFMAN.operations().slots(), 1 + 4 + 6 + 2);
+        assert_eq!(Variant::SCHLICK.operations().slots(), 1 + 3 + 3 + 2);
+        let exact = Variant::Exact.operations();
+        assert_eq!((exact.quotients, exact.roots), (401, 2 * 401));
     }
 
     #[test]

@@ -1,13 +1,12 @@
 //! A material in the parameters of a variant, ready to be evaluated or stored.
 
-use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
 use super::{StudyError, Subject, Variant};
 use crate::color::{Rgb, RgbSpace};
-use crate::fit::{Method, fit_to_truth, series_by_least_squares};
+use crate::fit::{Method, fit_to_truth, samples_for_series, series_by_least_squares};
 use crate::fresnel::{CosTheta, FresnelModel, ModelKind, Nk, SchlickSeries, conductor};
 use crate::metal::{Metal, TruthCurve};
 use crate::spectrum::{FewWavelengths, Quadrature, SAMPLES, rgb_weights, wavelengths_nm};
@@ -100,9 +99,6 @@ pub fn forms(
     each.collect()
 }
 
-/// What series are fitted to: 129 angles, denser towards both ends, where polynomials swing between their samples.
-const FINE_STEPS: usize = 128;
-
 fn of_metal(
     metal: &Metal,
     truth: &TruthCurve,
@@ -110,10 +106,8 @@ fn of_metal(
     fine: &mut Option<Vec<(CosTheta, Rgb)>>,
 ) -> Result<(Form, Vec<String>), StudyError> {
     let space = truth.space;
-    let cosine = |step: usize| CosTheta::new((step as f64 / FINE_STEPS as f64 * FRAC_PI_2).sin().powi(2));
-    let sample = |step| (cosine(step), metal.reflectance(cosine(step), space));
     let mut series = |power, count| {
-        let samples = fine.get_or_insert_with(|| (0..=FINE_STEPS).map(sample).collect());
+        let samples = fine.get_or_insert_with(|| samples_for_series(metal, space));
         Form::Series(series_by_least_squares(samples, truth.r(), power, count))
     };
     let form = match variant {

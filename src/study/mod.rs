@@ -12,6 +12,7 @@
 //! | do equal steps of a slider look equal? | `uniformity` |
 //! | which r and h are reflectances? | `feasibility` |
 //! | how much accuracy is there for how much cost? | `trade`, of the variants in `variant`, `form` and `cost` |
+//! | how long does it take here? | `speed` |
 //! | how many digits does a model or a conversion keep? | `stability`, its cases `stability_cases`, 512 bits `exact` |
 //!
 //! A [`Subject`] is what a demonstration is about; [`Contestants`] are its four descriptions in one space.
@@ -34,6 +35,7 @@ mod measure;
 mod painted;
 mod parameters;
 mod quantisation;
+mod speed;
 mod spread;
 mod stability;
 mod stability_cases;
@@ -54,7 +56,7 @@ pub use conversion::{
     ColourConversion, ConversionOptions, ConversionRow, ConversionSummary, ConvertedParameters, conversion,
     conversion_of, conversion_spread, conversions, conversions_summary,
 };
-pub use cost::{Cost, CostAxis, Costs, Operations};
+pub use cost::{Cost, CostAxis, Costs};
 pub use csv_text::rows_to_csv;
 pub use decoupling::{
     CrossTalkRow, Decoupling, DecouplingOptions, DecouplingRow, SWEEP_STEPS, Sweep, Swept, decoupling,
@@ -71,6 +73,11 @@ pub use painted::{Painted, colour_at, painted_sphere};
 pub use parameters::{Pair, Parameters};
 pub use quantisation::{
     Encoding, GRADIENT_COLUMNS, NK_SCALE, Quantisation, QuantisationRow, Quantised, Storage, quantisation,
+};
+pub use speed::{
+    Bar, BarVerdict, BuildTimes, Elsewhere, ErrorTable, ErrorTableInput, ErrorTableMetal, ErrorTableModel, Errors,
+    PythonTimes, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, measured_costs, speed, speed_kernels,
+    speed_summary,
 };
 pub use spread::{SpreadRow, spread};
 pub use stability::{Fineness, StabilityRow, stability, stability_summary};

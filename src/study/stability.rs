@@ -102,7 +102,7 @@ fn rows_of(case: &Case, fineness: Fineness) -> Vec<StabilityRow> {
 type Unit = fn(f64) -> f64;
 
 /// Of 32 bits.
-fn unit_of_single(value: f64) -> f64 {
+pub(super) fn unit_of_single(value: f64) -> f64 {
     let size = (value as f32).abs().clamp(f32::MIN_POSITIVE, f32::MAX / 2.0);
     f64::from(size.next_up()) - f64::from(size)
 }

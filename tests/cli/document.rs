@@ -31,7 +31,7 @@ fn the_document_names_every_field() {
     let out = folder.path().to_str().unwrap();
     let preset = folder.path().join("preset.json").to_str().unwrap().to_owned();
     Preset::new_authored().save(preset.as_ref()).unwrap();
-    let runs: [&[&str]; 12] = [
+    let runs: [&[&str]; 13] = [
         &["match", "--sample", "gold_tent"],
         &["inspect", &photo, "--probe", "0,0"],
         &["samples"],
@@ -44,6 +44,7 @@ fn the_document_names_every_field() {
         &["export", "--metal", "Cr", "--to", "glsl", "-o", out],
         &["check", &preset],
         &["study", "accuracy", "--metal", "Cr", "--candidate", "hoffman:exact"],
+        &["study", "speed", "--quick", "--kernel", "schlick"],
     ];
     for arguments in runs {
         let value = json(&[arguments, &["--json"]].concat());

@@ -111,3 +111,18 @@ fn the_trade_is_a_table_and_a_figure() {
     let bytes = quiet(&["study", "trade", "gold", "--cost", "parameter-bytes", "--on", "mean"]);
     assert!(bytes.contains("mean ΔE against parameter-bytes"), "{bytes}");
 }
+
+#[test]
+fn the_speed_of_kernels_is_measured_here() {
+    let rows = json(&["study", "speed", "--quick", "--kernel", "hoffman", "--json"]);
+    let rows = rows.as_array().unwrap();
+    let of = |kernel: &str, kind: &str| {
+        let is = |row: &&Value| row["kernel"] == kernel && row["kind"] == kind && row["per"] == "material";
+        rows.iter().find(is).unwrap_or_else(|| panic!("no {kernel}, {kind}"))
+    };
+    assert_eq!(of("schlick", "ours")["times_schlick"], 1.0);
+    assert_eq!(of("hoffman", "ours")["shader_operations"], 13);
+    assert!(of("hoffman", "textbook")["min_ns"].as_f64().unwrap() > 0.0);
+    assert!(refusal(2, &["study", "speed", "--kernel", "warp"]).contains("warp"));
+    assert!(refusal(2, &["study", "speed", "--instruction-set", "mmx"]).contains("mmx"));
+}

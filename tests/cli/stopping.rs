@@ -24,10 +24,11 @@ fn fits_and_studies_stop_at_their_next_step() {
     let folder = tempfile::tempdir().unwrap();
     let plot = folder.path().join("table.svg");
     let plot = plot.to_str().unwrap();
-    let studies: [&[&str]; 3] = [
+    let studies: [&[&str]; 4] = [
         &["fit", "--all", "--method", "black-box"],
         &["study", "accuracy", "--searches", "--plot", plot],
         &["study", "accuracy", "--evidence"],
+        &["study", "speed"],
     ];
     for arguments in studies {
         let (code, printed, said, seconds) = stopped(arguments);

@@ -10,8 +10,8 @@ use crate::cli::preset_files::Listed;
 use crate::cli::shard::Shard;
 use crate::color::RgbSpace;
 use crate::export::{
-    ExportFile, Exported, Loss, NameKey, Options, Target, check, export_all, export_as, file_name, palette_stem,
-    unique_stems,
+    ExportFile, Exported, Loss, NameKey, Options, Target, check, export_all, export_as, export_baked, file_name,
+    palette_stem, unique_stems,
 };
 use crate::file::{Placed, place_file};
 use crate::metal::Metal;
@@ -22,13 +22,15 @@ use crate::preset::{FormatError, Loaded, Preset, PresetFileError};
 pub(super) enum Source {
     File(Listed),
     Metal(&'static Metal, RgbSpace),
+    /// A metal that is written as a function of its own.
+    Baked(&'static Metal, RgbSpace),
 }
 
 impl Source {
     /// The preset; `None` for a JSON file of a folder that is something else.
     fn load(&self) -> anyhow::Result<Option<Loaded>> {
         match self {
-            Self::Metal(metal, space) => {
+            Self::Metal(metal, space) | Self::Baked(metal, space) => {
                 Ok(Some(Loaded { preset: Preset::from_metal(metal, *space), warnings: Vec::new() }))
             }
             Self::File(file) => match Preset::load(&file.path) {
@@ -42,7 +44,7 @@ impl Source {
     fn name(&self) -> String {
         match self {
             Self::File(file) => file.path.display().to_string(),
-            Self::Metal(metal, _) => metal.id.clone(),
+            Self::Metal(metal, _) | Self::Baked(metal, _) => metal.id.clone(),
         }
     }
 
@@ -221,6 +223,7 @@ fn renamed(seen: &[Seen], stems: &[String]) -> Option<String> {
 impl Step {
     fn make(&self, options: &Options) -> anyhow::Result<(ExportFile, Vec<Loss>)> {
         let Exported { mut files, losses } = match &self.sources[..] {
+            [Source::Baked(metal, _)] => export_baked(&self.stem, metal, self.target, options)?,
             [source] => export_as(&self.stem, &source.preset()?, self.target, options)?,
             sources => {
                 let presets = sources.iter().map(Source::preset).collect::<anyhow::Result<Vec<_>>>()?;

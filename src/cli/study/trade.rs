@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use anyhow::ensure;
 use clap::Args;
 
 use super::super::output::Output;
@@ -12,7 +11,7 @@ use super::shown::{Shown, with_bar};
 use crate::color::RgbSpace;
 use crate::figure::trade_figure;
 use crate::preset::{Preset, built_in_presets};
-use crate::study::{CostAxis, Costs, Measure, Subject, TradeOptions, trade, trade_summary};
+use crate::study::{CostAxis, Costs, Measure, Subject, TradeOptions, measured_costs, trade, trade_summary};
 
 /// Arguments of `edgewise study trade`.
 #[derive(Debug, Args)]
@@ -43,11 +42,10 @@ pub(super) struct TradeCommand {
 
 impl TradeCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
-        let costs = Costs::counted();
-        ensure!(
-            self.cost != CostAxis::MeasuredNs || costs.has_times(),
-            "no times were measured; --cost shader-operations and --cost parameter-bytes need none"
-        );
+        let costs = match self.cost {
+            CostAxis::MeasuredNs => with_bar(|progress| measured_costs(progress))?,
+            CostAxis::ShaderOperations | CostAxis::ParameterBytes => Costs::counted(),
+        };
         let options = TradeOptions { space: self.space, cost: self.cost, measure: self.on, costs };
         let mut warnings = Vec::new();
         let presets = self.presets(&mut warnings)?;

@@ -1,0 +1,173 @@
+//! `edgewise study speed`: how long every kernel takes on this machine.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use anyhow::Context;
+use clap::Args;
+use serde::de::DeserializeOwned;
+
+use super::super::output::{Cell, Format, FormatArguments, Output, Table};
+use super::super::usage;
+use super::shown::with_bar;
+use crate::kernel::{Level, level_id, levels};
+use crate::metal::metals;
+use crate::photo::Plane;
+use crate::preset::pretty_json;
+use crate::scene::{FacingPass, Masks, PlanOptions, SceneMaterial, Source, plan_scene};
+use crate::study::{
+    BuildTimes, Elsewhere, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, no_progress, speed, speed_kernels,
+    speed_summary,
+};
+
+/// Arguments of `edgewise study speed`.
+#[derive(Debug, Args)]
+pub(super) struct SpeedCommand {
+    /// Measure only this kernel, beside Schlick's; may be given again
+    #[arg(long, value_name = "NAME", value_parser = kernel)]
+    kernel: Vec<String>,
+    /// Fewer rounds, for a first look
+    #[arg(long)]
+    quick: bool,
+    /// The instruction set of the vectors: avx512, avx2, sse4.2, sse2 or neon; the best of this machine unless given
+    #[arg(long, value_name = "ID")]
+    instruction_set: Option<String>,
+    /// Everything, as the Markdown of docs/performance.md; takes half a minute
+    #[arg(long, conflicts_with_all = ["kernel", "quick"])]
+    evidence: bool,
+    /// What scripts/compare_accuracy.py printed, for --evidence
+    #[arg(long, value_name = "FILE", requires = "evidence")]
+    python: Option<PathBuf>,
+    /// What scripts/compare_builds.sh wrote, for --evidence
+    #[arg(long, value_name = "FILE", requires = "evidence")]
+    builds: Option<PathBuf>,
+    /// Instead, what the table of errors is computed from, as JSON for scripts/compare_accuracy.py
+    #[arg(long, exclusive = true)]
+    error_table: bool,
+    #[command(flatten)]
+    format: FormatArguments,
+}
+
+impl SpeedCommand {
+    pub(super) fn run(self) -> anyhow::Result<Output> {
+        if self.error_table {
+            let input = with_bar(|progress| error_table_input(progress))?;
+            return Ok(Output { text: pretty_json(&serde_json::to_value(input)?), ..Output::default() });
+        }
+        let options = self.options()?;
+        let warnings = Vec::from_iter(cfg!(debug_assertions).then(|| NOT_OPTIMISED.to_owned()));
+        if self.evidence {
+            let elsewhere = self.elsewhere()?;
+            let evidence = with_bar(|progress| SpeedEvidence::measure(&options, elsewhere, progress))?;
+            return Ok(Output { text: evidence.markdown(), warnings, ..Output::default() });
+        }
+        let rows = with_bar(|progress| speed(&options, progress))?;
+        let text = match self.format.format() {
+            Format::Table => format!("{}\n{}\n", for_people(&rows).to_text(), speed_summary(&rows)),
+            format => Table::of_rows(&rows)?.render(format),
+        };
+        Ok(Output { text, warnings, ..Output::default() })
+    }
+
+    fn options(&self) -> anyhow::Result<SpeedOptions> {
+        let level = match &self.instruction_set {
+            None => Level::new(),
+            Some(id) => {
+                let ids = || levels().into_iter().map(level_id).collect::<Vec<_>>().join(", ");
+                let named = levels().into_iter().find(|level| level_id(*level) == id);
+                named.ok_or_else(|| {
+                    usage(&format!("“{id}” is no instruction set of this machine, which has: {}", ids()))
+                })?
+            }
+        };
+        let rounds = if self.quick { SpeedOptions::QUICK_ROUNDS } else { SpeedOptions::ROUNDS };
+        Ok(SpeedOptions { level, rounds, kernels: self.kernel.clone() })
+    }
+
+    fn elsewhere(&self) -> anyhow::Result<Elsewhere> {
+        Ok(Elsewhere {
+            python: self.python.as_deref().map(json).transpose()?,
+            builds: self.builds.as_deref().map_or(Ok(Vec::new()), rows)?,
+            plan_s: Some(plan_s()?),
+        })
+    }
+}
+
+fn kernel(name: &str) -> Result<String, String> {
+    let names = speed_kernels();
+    let known = names.iter().any(|own| own == name).then(|| name.to_owned());
+    known.ok_or_else(|| format!("there is no kernel “{name}”; there are: {}", names.join(", ")))
+}
+
+const NOT_OPTIMISED: &str = "this program was built without optimisation: its times say nothing about a release";
+
+fn json<T: DeserializeOwned>(path: &Path) -> anyhow::Result<T> {
+    let text = std::fs::read(path).with_context(|| path.display().to_string())?;
+    serde_json::from_slice(&text).with_context(|| path.display().to_string())
+}
+
+fn rows(path: &Path) -> anyhow::Result<Vec<BuildTimes>> {
+    let mut reader = csv::Reader::from_path(path).with_context(|| path.display().to_string())?;
+    reader.deserialize().collect::<Result<_, _>>().with_context(|| path.display().to_string())
+}
+
+/// Seconds that the planner takes for 1000 materials on a ball of 2048 × 2048 pixels, the shortest of a few.
+fn plan_s() -> anyhow::Result<f64> {
+    const SIZE: u32 = 2048;
+    const MATERIALS: u32 = 1000;
+    let radius = |pixel: u32| (f64::from(pixel) + 0.5) * 2.0 / f64::from(SIZE) - 1.0;
+    let pixels = || (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y)));
+    let ratio = pixels().map(|(x, y)| (1.0 - radius(x).powi(2) - radius(y).powi(2)).max(0.0).sqrt() as f32).collect();
+    let ids = pixels().map(|(x, y)| ((x / 64 + y / 64 * (SIZE / 64)) % MATERIALS) as f32).collect();
+    let plane = |name: &str, values: Vec<f32>| Plane {
+        name: name.to_owned(),
+        channel: "Y".to_owned(),
+        width: SIZE,
+        height: SIZE,
+        values,
+        coverage: None,
+        warnings: Vec::new(),
+    };
+    let (pass, masks) = (FacingPass { ratio: plane("ratio", ratio) }, Masks::Ids(plane("ids", ids)));
+    let library: Vec<Arc<_>> = metals().iter().cloned().map(Arc::new).collect();
+    let all: Vec<u32> = (0..MATERIALS).collect();
+    let once = || -> anyhow::Result<f64> {
+        let start = Instant::now();
+        let seen = pass.angles(&masks, &all).map_err(anyhow::Error::msg)?;
+        let sources = library.iter().cycle().map(|metal| Source::Metal(Arc::clone(metal)));
+        let materials: Vec<SceneMaterial> =
+            sources.zip(seen.angles).map(|(source, angles)| SceneMaterial { source, angles }).collect();
+        plan_scene(&materials, "", &PlanOptions::default(), &no_progress)?;
+        Ok(start.elapsed().as_secs_f64())
+    };
+    (0..3).try_fold(f64::INFINITY, |shortest, _| Ok(once()?.min(shortest)))
+}
+
+/// The counts of single operations are for machines.
+fn for_people(rows: &[SpeedRow]) -> Table {
+    let titles = [
+        ("kernel", "kernel"),
+        ("kind", "kind"),
+        ("per", "per"),
+        ("min_ns", "shortest (ns)"),
+        ("median_ns", "middle (ns)"),
+        ("times_schlick", "× Schlick"),
+        ("parameter_bytes", "bytes"),
+        ("shader_operations", "operations"),
+    ];
+    let mut table = Table::new(titles);
+    for row in rows {
+        table.push(vec![
+            row.kernel.as_str().into(),
+            row.kind.into(),
+            row.per.into(),
+            Cell::Number(row.min_ns, 3),
+            Cell::Number(row.median_ns, 3),
+            row.times_schlick.map_or(Cell::Nothing, |times| Cell::Number(times, 2)),
+            row.parameter_bytes.map_or(Cell::Nothing, Cell::Count),
+            row.shader_operations.map_or(Cell::Nothing, |operations| Cell::Count(operations.into())),
+        ]);
+    }
+    table
+}
