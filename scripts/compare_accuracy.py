@@ -70,7 +70,7 @@ def series(r, first_power, coefficients, c):
     x = 1 - c
     total = np.zeros_like(x * r)
     for b in reversed(coefficients):
-        total = total * x + b
+        total = total * (x - c) + b
     return schlick(r, c) + total * c * x**first_power
 
 

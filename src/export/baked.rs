@@ -108,14 +108,15 @@ impl Language {
         let vector = |rgb| format!("{vector}({})", triple(rgb, ", "));
         let mut highest_first = series.coefficients.iter().rev();
         let first = highest_first.next().copied().unwrap_or_default();
-        let steps: String = highest_first.map(|b| format!("    p = p * x + {};\n", vector(*b))).collect();
-        let powers = "* x".repeat(series.first_power.saturating_sub(1) as usize);
+        let steps: String = highest_first.map(|b| format!("    p = p * t + {};\n", vector(*b))).collect();
+        let powers = " * x".repeat(series.first_power.saturating_sub(1) as usize);
         let text = format!(
             "{before}\
-             // Schlick 1994, and a polynomial of x = 1 - c fitted to this metal alone; white at grazing.\n\
+             // Schlick 1994, and a polynomial of t = 1 - 2 c fitted to this metal alone; white at grazing.\n\
              {signature} {{\n    \
              {scalar} c = {cosine};\n    \
              {scalar} x = 1.0 - c;\n    \
+             {scalar} t = x - c;\n    \
              {scalar} x2 = x * x;\n    \
              {variable} p = {};\n\
              {steps}    \

@@ -30,8 +30,8 @@ pub fn samples_for_series(metal: &Metal, space: RgbSpace) -> Vec<(CosTheta, Rgb)
 pub fn series_by_least_squares(samples: &[(CosTheta, Rgb)], r: Rgb, first_power: u32, count: usize) -> SchlickSeries {
     let x = |cos_theta: CosTheta| 1.0 - cos_theta.get();
     let basis = DMatrix::from_fn(samples.len(), count, |row, column| {
-        let cos_theta = samples[row].0;
-        cos_theta.get() * x(cos_theta).powi(first_power.cast_signed() + column as i32)
+        let c = samples[row].0;
+        c.get() * x(c).powi(first_power.cast_signed()) * (x(c) - c.get()).powi(column as i32)
     });
     let qr = basis.qr();
     let (q, upper) = (qr.q(), qr.r());

@@ -5,8 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::{CosTheta, schlick};
 use crate::color::Rgb;
 
-/// F(θ) ≈ S(r, c) + c xᵖ (b₀ + b₁ x + b₂ x² + …) with x = 1 − c, channel by channel.
+/// F(θ) ≈ S(r, c) + c xᵖ (b₀ + b₁ t + b₂ t² + …) with x = 1 − c and t = x − c, channel by channel.
 ///
+/// t runs from −1 to 1: in powers of it coefficients stay small, of which ten in powers of x reach 1e5 and cancel.
 /// The correction vanishes at 0° and 90°, like the term of Lazányi & Szirmay-Kalos 2005 that it continues: with
 /// p = 6 and one coefficient, b₀ = −a, it is Hoffman's model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,7 +24,8 @@ impl SchlickSeries {
     /// The reflectance at an angle, unclamped.
     pub fn reflectance(&self, cos_theta: CosTheta) -> Rgb {
         let x = 1.0 - cos_theta.get();
-        let sum = self.coefficients.iter().rev().fold(Rgb::BLACK, |sum, b| sum * x + *b);
+        let t = x - cos_theta.get();
+        let sum = self.coefficients.iter().rev().fold(Rgb::BLACK, |sum, b| sum * t + *b);
         self.r.map(|r| schlick(r, cos_theta)) + sum * (cos_theta.get() * x.powi(self.first_power.cast_signed()))
     }
 }

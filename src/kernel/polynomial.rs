@@ -4,7 +4,7 @@ use super::operations::Counted;
 use super::{Form, Material, Operations, Real, held};
 use crate::fresnel::SchlickSeries;
 
-/// r + x⁵ (1 − r) + c xᵖ (b₀ + b₁ x + …), see [`SchlickSeries`]: exact facing and grazing for any coefficients.
+/// r + x⁵ (1 − r) + c xᵖ (b₀ + b₁ t + …), see [`SchlickSeries`]: exact facing and grazing for any coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial {
     first_power: u32,
@@ -50,14 +50,14 @@ impl Polynomial {
             bump = bump * x;
             power += 1;
         }
-        Powers { x, x5, bump }
+        Powers { t: x - c, x5, bump }
     }
 }
 
-/// x, x⁵ and c xᵖ.
+/// t, x⁵ and c xᵖ.
 #[derive(Clone, Copy, Debug)]
 pub struct Powers<T> {
-    x: T,
+    t: T,
     x5: T,
     bump: T,
 }
@@ -66,10 +66,10 @@ impl<T: Real> Powers<T> {
     /// One channel, of r, 1 − r and at least one coefficient.
     #[inline(always)]
     fn curve(self, constants: &[T]) -> T {
-        let [r, white_minus_r, lower @ .., last] = constants else { return self.x };
+        let [r, white_minus_r, lower @ .., last] = constants else { return self.t };
         let mut sum = *last;
         for coefficient in lower.iter().rev() {
-            sum = sum.mul_add(self.x, *coefficient);
+            sum = sum.mul_add(self.t, *coefficient);
         }
         self.bump.mul_add(sum, self.x5.mul_add(*white_minus_r, *r))
     }
@@ -125,13 +125,13 @@ mod tests {
         assert!(Polynomial::material::<2>(&series(0.5, 1, &[])).is_none());
     }
 
-    /// By hand: x, x⁵ in three products, c x⁶ in two; two products with sums, a bump and Schlick's sum per channel.
+    /// By hand: x, t, x⁵ in three products, c x⁶ in two; two products with sums, a bump and Schlick's sum per channel.
     #[test]
     fn operations_are_those_of_horners_scheme() {
         let curve = Polynomial::material::<5>(&series(0.5, 6, &[1.0, 2.0, 3.0])).unwrap();
         let limit = 2;
         let expected = Operations {
-            sums: 1 + 3 * 4,
+            sums: 2 + 3 * 4,
             products: 3 + 2 + 3 * 4,
             fused: 3 * 4,
             choices: limit,
