@@ -119,6 +119,18 @@ fn export_names_one_file_and_tells_names_that_meet() {
 }
 
 #[test]
+fn a_metal_is_baked_into_a_function_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    quiet(&["export", "--metal", "Cr", "--to", "glsl", "--to", "osl", "--bake", "-o", path]);
+    let text = fs::read_to_string(folder.path().join("chromium.glsl")).unwrap();
+    assert!(text.contains("10 coefficients") && text.contains("vec3 fresnel_chromium(float cosTheta)"), "{text}");
+    assert!(folder.path().join("chromium.osl").is_file());
+    assert!(refusal(2, &["export", "--metal", "Cr", "--to", "usd", "--bake", "-o", path]).contains("not usd"));
+    assert!(refusal(2, &["export", "--bake", "--to", "glsl", "-o", path]).contains("--metal"));
+}
+
+#[test]
 fn import_brings_back_what_export_wrote() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();

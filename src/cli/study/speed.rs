@@ -89,7 +89,7 @@ impl SpeedCommand {
         Ok(Elsewhere {
             python: self.python.as_deref().map(json).transpose()?,
             builds: self.builds.as_deref().map_or(Ok(Vec::new()), rows)?,
-            plan_s: Some(plan_s()?),
+            plan_s: Some(plan_s(PASS_SIZE, PLANNED)?),
         })
     }
 }
@@ -112,26 +112,30 @@ fn rows(path: &Path) -> anyhow::Result<Vec<BuildTimes>> {
     reader.deserialize().collect::<Result<_, _>>().with_context(|| path.display().to_string())
 }
 
-/// Seconds that the planner takes for 1000 materials on a ball of 2048 × 2048 pixels, the shortest of a few.
-fn plan_s() -> anyhow::Result<f64> {
-    const SIZE: u32 = 2048;
-    const MATERIALS: u32 = 1000;
-    let radius = |pixel: u32| (f64::from(pixel) + 0.5) * 2.0 / f64::from(SIZE) - 1.0;
-    let pixels = || (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y)));
+/// Width and height of the pass that is planned for: 4 megapixels.
+const PASS_SIZE: u32 = 2048;
+/// Materials that are planned for.
+const PLANNED: u32 = 1000;
+
+/// Seconds that the planner takes for so many materials of the library on a ball of `size` × `size` pixels, the
+/// shortest of a few.
+fn plan_s(size: u32, materials: u32) -> anyhow::Result<f64> {
+    let radius = |pixel: u32| (f64::from(pixel) + 0.5) * 2.0 / f64::from(size) - 1.0;
+    let pixels = || (0..size).flat_map(|y| (0..size).map(move |x| (x, y)));
     let ratio = pixels().map(|(x, y)| (1.0 - radius(x).powi(2) - radius(y).powi(2)).max(0.0).sqrt() as f32).collect();
-    let ids = pixels().map(|(x, y)| ((x / 64 + y / 64 * (SIZE / 64)) % MATERIALS) as f32).collect();
+    let ids = pixels().map(|(x, y)| ((x / 64 + y / 64 * (size / 64)) % materials) as f32).collect();
     let plane = |name: &str, values: Vec<f32>| Plane {
         name: name.to_owned(),
         channel: "Y".to_owned(),
-        width: SIZE,
-        height: SIZE,
+        width: size,
+        height: size,
         values,
         coverage: None,
         warnings: Vec::new(),
     };
     let (pass, masks) = (FacingPass { ratio: plane("ratio", ratio) }, Masks::Ids(plane("ids", ids)));
     let library: Vec<Arc<_>> = metals().iter().cloned().map(Arc::new).collect();
-    let all: Vec<u32> = (0..MATERIALS).collect();
+    let all: Vec<u32> = (0..materials).collect();
     let once = || -> anyhow::Result<f64> {
         let start = Instant::now();
         let seen = pass.angles(&masks, &all).map_err(anyhow::Error::msg)?;
@@ -170,4 +174,21 @@ fn for_people(rows: &[SpeedRow]) -> Table {
         ]);
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plan_is_timed() {
+        let seconds = plan_s(128, 3).unwrap();
+        assert!(seconds > 0.0 && seconds.is_finite());
+    }
+
+    #[test]
+    fn names_of_kernels_are_known_or_refused_with_all_of_them() {
+        assert_eq!(kernel("spectral-81"), Ok("spectral-81".to_owned()));
+        assert!(kernel("warp").unwrap_err().contains("hoffman-basis"));
+    }
 }
