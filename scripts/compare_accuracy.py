@@ -66,11 +66,11 @@ def gulbrandsen(r, g, c):
         return np.where(r >= 1, 1.0, conductor(n, np.sqrt(k2), c))
 
 
-def series(r, first_power, coefficients, c):
-    x = 1 - c
+def series(r, first_power, bend, coefficients, c):
+    x, t = 1 - c, (1 - (2 + bend) * c) / (1 + bend * c)
     total = np.zeros_like(x * r)
     for b in reversed(coefficients):
-        total = total * (x - c) + b
+        total = total * t + b
     return schlick(r, c) + total * c * x**first_power
 
 
@@ -89,7 +89,7 @@ def curve(form):
     """One curve: 91 angles × 3 channels."""
     if form["form"] == "series":
         coefficients = [np.array(b) for b in form["coefficients"]]
-        return series(np.array(form["r"]), form["first_power"], coefficients, COSINE)
+        return series(np.array(form["r"]), form["first_power"], form["bend"], coefficients, COSINE)
     model = form["model"]
     function, names = MODELS[model["kind"]]
     return function(*(np.array(model[name]) for name in names), COSINE)
@@ -128,8 +128,8 @@ class Table:
             if forms[0]["form"] == "series":
                 count = len(forms[0]["coefficients"])
                 coefficients = [stack([form["coefficients"][i] for form in forms]) for i in range(count)]
-                power, r = forms[0]["first_power"], stack([form["r"] for form in forms])
-                columns.append((lambda r, b, c, power=power: series(r, power, b, c), [r, coefficients]))
+                shape, r = (forms[0]["first_power"], forms[0]["bend"]), stack([form["r"] for form in forms])
+                columns.append((lambda r, b, c, shape=shape: series(r, *shape, b, c), [r, coefficients]))
             else:
                 function, names = MODELS[forms[0]["model"]["kind"]]
                 columns.append((function, [stack([form["model"][name] for form in forms]) for name in names]))

@@ -3,7 +3,7 @@
 
 use super::export::name_in_space;
 use super::names::{identifier, one_ascii_line};
-use super::number::triple;
+use super::number::{number, triple};
 use super::shader::OSL_SHADER;
 use super::{ExportError, ExportFile, Exported, Options, Target};
 use crate::color::{RgbSpace, delta_e_rgb};
@@ -27,7 +27,7 @@ pub fn export_baked(stem: &str, metal: &Metal, target: Target, options: &Options
     let header = [
         format!("{}, written by Edgewise", metal.name),
         format!(
-            "{space}: r and {} coefficients of each channel, within {:.3} CIEDE2000 of the spectrum of {}",
+            "{space}: r and {} coefficients of each channel, within {:.1e} CIEDE2000 of the spectrum of {}",
             series.coefficients.len(),
             largest_delta_e(metal, &series, space),
             metal.id
@@ -112,17 +112,19 @@ impl Language {
         let powers = " * x".repeat(series.first_power.saturating_sub(1) as usize);
         let text = format!(
             "{before}\
-             // Schlick 1994, and a polynomial of t = 1 - 2 c fitted to this metal alone; white at grazing.\n\
+             // Schlick 1994, and a polynomial of t fitted to this metal alone; white at grazing.\n\
              {signature} {{\n    \
              {scalar} c = {cosine};\n    \
              {scalar} x = 1.0 - c;\n    \
-             {scalar} t = x - c;\n    \
+             {scalar} t = (1.0 - {} * c) / (1.0 + {} * c);\n    \
              {scalar} x2 = x * x;\n    \
              {variable} p = {};\n\
              {steps}    \
              return {} + (x2 * x2 * x) * {} + (c * x{powers}) * p;\n\
              }}\n\
              {after}",
+            number(2.0 + series.bend),
+            number(series.bend),
             vector(first),
             vector(series.r),
             vector(series.r.map(|r| 1.0 - r)),
@@ -153,6 +155,6 @@ mod tests {
         let text = String::from_utf8(exported.files[0].bytes.clone()).unwrap();
         let off = largest_delta_e(osmium, &bake(osmium, space), space);
         assert_eq!(exported.files[0].name, "osmium.acescg.wgsl");
-        assert!(off > 0.001 && text.contains(&format!("within {off:.3} CIEDE2000")), "{text}");
+        assert!(off > 0.0 && text.contains(&format!("within {off:.1e} CIEDE2000")), "{text}");
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Variant;
 use crate::color::{Rgb, UnknownName};
-use crate::fresnel::ModelKind;
+use crate::fresnel::{ModelKind, SchlickSeries};
 use crate::kernel::{
     Conductor, Factored, GeneralizedSchlick, Lazanyi, Operations, Polynomial, Schlick, Spectral, Table,
 };
@@ -33,8 +33,8 @@ impl Variant {
                 // Of a known material, (r, g) are n and k.
                 ModelKind::Gulbrandsen | ModelKind::Conductor => Operations::of(Conductor),
             },
-            Self::Series(count) => Polynomial::operations_of(6, count),
-            Self::Polynomial(count) => Polynomial::operations_of(1, count),
+            Self::Series(count) => Polynomial::operations_of(6, 0.0, count),
+            Self::Polynomial(count) => Polynomial::operations_of(1, SchlickSeries::BEND_OF_METALS, count),
             Self::Table(_) => Table::OPERATIONS,
             Self::Spectral(count) => Spectral::operations_of(count),
             Self::Exact => Spectral::operations_of(SAMPLES),

@@ -106,9 +106,9 @@ fn of_metal(
     fine: &mut Option<Vec<(CosTheta, Rgb)>>,
 ) -> Result<(Form, Vec<String>), StudyError> {
     let space = truth.space;
-    let mut series = |power, count| {
+    let mut series = |shape, count| {
         let samples = fine.get_or_insert_with(|| samples_for_series(metal, space));
-        Form::Series(series_by_least_squares(samples, truth.r(), power, count))
+        Form::Series(series_by_least_squares(samples, truth.r(), shape, count))
     };
     let form = match variant {
         Variant::Model(kind, method) => {
@@ -116,8 +116,8 @@ fn of_metal(
             let losses = fit.losses.iter().map(ToString::to_string).collect();
             return Ok((Form::Model { model: fit.model }, losses));
         }
-        Variant::Series(count) => series(6, count),
-        Variant::Polynomial(count) => series(1, count),
+        Variant::Series(count) => series((6, 0.0), count),
+        Variant::Polynomial(count) => series((1, SchlickSeries::BEND_OF_METALS), count),
         Variant::Table(entries) => table(metal, entries, space),
         Variant::Spectral(count) => few_wavelengths(metal, count, space),
         Variant::Exact => every_wavelength(metal, space),

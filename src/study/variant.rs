@@ -13,9 +13,10 @@ use crate::fresnel::ModelKind;
 pub enum Variant {
     /// A model of three channels.
     Model(ModelKind, Method),
-    /// Schlick and c x⁶ times a polynomial with so many coefficients for each channel, by least squares.
+    /// Schlick and c x⁶ times a polynomial of 1 − 2c with so many coefficients for each channel, by least squares.
     Series(usize),
-    /// Schlick and c x times a polynomial with so many coefficients for each channel, by least squares.
+    /// Schlick and c x times a polynomial of (2 − 9c)/(2 + 5c) with so many coefficients for each channel, by least
+    /// squares.
     Polynomial(usize),
     /// Three channels at so many angles, evenly spaced in √c, linear between.
     Table(usize),
