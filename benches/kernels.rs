@@ -3,7 +3,9 @@
 use divan::Bencher;
 use edgewise::color::Rgb;
 use edgewise::color::RgbSpace;
-use edgewise::kernel::textbook::{ComplexConductor, DividerBound, GulbrandsenAsPrinted, PopularConductor};
+use edgewise::kernel::textbook::{
+    ComplexConductor, DividerBound, GulbrandsenAsPrinted, PopularConductor, SpectralDividerBound,
+};
 use edgewise::kernel::{
     Basis, Conductor, ConductorAndAbsorption, F82OfPixels, Factored, Form, GulbrandsenOfPixels, Level, Material,
     Schlick, Spectral, Table, delta_e_over, over_pixels,
@@ -58,6 +60,11 @@ fn schlick(bencher: Bencher) {
 #[divan::bench]
 fn hoffman(bencher: Bencher) {
     material(bencher, Factored::hoffman(R, H));
+}
+
+#[divan::bench]
+fn f82_tint(bencher: Bencher) {
+    material(bencher, Factored::f82_tint(R, Rgb([0.983, 0.999, 0.994])));
 }
 
 #[divan::bench]
@@ -122,6 +129,14 @@ fn spectral(bencher: Bencher, count: usize) {
     let (cosines, mut out) = (cosines(), planes());
     let bencher = bencher.counter(divan::counter::ItemsCount::new(VALUES));
     bencher.bench_local(|| spectral.over(Level::new(), &cosines, out.each_mut().map(Vec::as_mut_slice)));
+}
+
+#[divan::bench(args = [8, 20, 81])]
+fn spectral_roots_and_divisions(bencher: Bencher, count: usize) {
+    let bound = SpectralDividerBound::new(count);
+    let (cosines, mut out) = (cosines(), planes());
+    let bencher = bencher.counter(divan::counter::ItemsCount::new(VALUES));
+    bencher.bench_local(|| bound.over(Level::new(), &cosines, out.each_mut().map(Vec::as_mut_slice)));
 }
 
 #[divan::bench]

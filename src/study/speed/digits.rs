@@ -1,10 +1,10 @@
-//! How many digits the exact kernels keep on real metals.
+//! How many digits the exact kernels keep: n and k of real metals, dielectrics, and r and g.
 
 use rayon::prelude::*;
 
 use crate::color::Rgb;
-use crate::fresnel::whole_degrees;
-use crate::kernel::{ConductorAndAbsorption, Level};
+use crate::fresnel::{nk_from_r_g, whole_degrees};
+use crate::kernel::{ConductorAndAbsorption, Dielectric, IndexOfTint, Level, Material};
 use crate::metal::preferred_metals;
 use crate::number::larger;
 use crate::study::stability::unit_of_single;
@@ -18,10 +18,53 @@ pub(super) struct Digits {
     pub(super) absorbed_relative: f64,
 }
 
-/// Every metal of the library at every tenth nanometre, at whole degrees and next to grazing.
-pub(super) fn digits(level: Level) -> Digits {
+/// The largest error of F of dielectrics of n = 1.0001 to 4, in units of the last place, against the same form in 64 bits.
+pub(super) fn dielectric_ulp(level: Level) -> f64 {
+    let cosines: Vec<f32> = cosines().into_iter().filter(|c| *c >= 1e-4).collect();
+    let indices = (0..=200).map(|step| 1.0001 + 2.9999 * f64::from(step) / 200.0);
+    indices.fold(0.0, |worst, n| {
+        let material = Dielectric::material(Rgb::splat(n));
+        let mut out = [(); 3].map(|()| vec![f32::NAN; cosines.len()]);
+        material.over(level, &cosines, [out.each_mut().map(Vec::as_mut_slice)]);
+        let pairs = cosines.iter().zip(&out[0]).map(|(c, got)| (f64::from(*got), material.at(f64::from(*c))[0][0]));
+        pairs.fold(worst, |worst, (got, exact)| larger(worst, (got - exact).abs() / unit_of_single(exact)))
+    })
+}
+
+/// The largest relative error of n and k of r = 0.04 to 1 − 1e-7 and any g, against 64 bits.
+pub(super) fn index_relative(level: Level) -> f64 {
+    let decades = || (1..=7).map(|power| 10_f64.powi(-power));
+    let tenths = || (0..=10).map(|tenth| f64::from(tenth) / 10.0);
+    let reflectances = decades().map(|gap| 1.0 - gap).chain(tenths().map(|share| 0.04 + 0.9 * share));
+    let pairs = reflectances.flat_map(|r| decades().chain(tenths()).map(move |g| (r, g)));
+    pairs.fold(0.0, |worst, (r, g)| larger(worst, error_of_index(level, r as f32, g as f32)))
+}
+
+fn error_of_index(level: Level, r: f32, g: f32) -> f64 {
+    let [exact_r, exact_g] = [r, g].map(f64::from);
+    let Some(exact) = nk_from_r_g(exact_r, exact_g) else { return f64::NAN };
+    let mut out = [[[f32::NAN; 1]; 3]; 2];
+    Material::of_parameters(IndexOfTint, [exact_r, exact_g].map(Rgb::splat)).over(
+        level,
+        &[1.0],
+        out.each_mut().map(|planes| planes.each_mut().map(|plane| &mut plane[..])),
+    );
+    let relative = |got: f32, exact: f64| {
+        let off = (f64::from(got) - exact).abs();
+        if exact == 0.0 { off } else { off / exact }
+    };
+    larger(relative(out[0][0][0], exact.n), relative(out[1][0][0], exact.k))
+}
+
+/// Whole degrees, and what is next to grazing.
+fn cosines() -> Vec<f32> {
     let near_grazing = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
-    let cosines: Vec<f32> = whole_degrees().map(|c| c.get() as f32).chain(near_grazing).collect();
+    whole_degrees().map(|c| c.get() as f32).chain(near_grazing).collect()
+}
+
+/// Every metal of the library at every tenth nanometre.
+pub(super) fn digits(level: Level) -> Digits {
+    let cosines = cosines();
     let metals: Vec<_> = preferred_metals().collect();
     let of_metal = |metal: &&crate::metal::Metal| {
         let indices: Vec<_> = metal.nk().iter().step_by(10).collect();
@@ -72,6 +115,14 @@ mod tests {
             let Digits { reflectance_ulp, absorbed_relative } = digits(level);
             assert!(reflectance_ulp <= 17.0 && absorbed_relative <= 6e-7, "{reflectance_ulp} {absorbed_relative}");
             assert!(reflectance_ulp > 0.5, "rounding is seen");
+        }
+    }
+
+    #[test]
+    fn dielectrics_and_edge_tints_keep_theirs() {
+        for level in crate::kernel::levels() {
+            let (ulp, relative) = (dielectric_ulp(level), index_relative(level));
+            assert!((0.5..=10.0).contains(&ulp) && (1e-8..=4e-7).contains(&relative), "{ulp} {relative}");
         }
     }
 }

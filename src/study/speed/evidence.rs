@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 use serde::Deserialize;
 
-use super::digits::{Digits, digits};
+use super::digits::{Digits, dielectric_ulp, digits, index_relative};
 use super::error_table::ErrorTable;
 use super::kernels::{TABLE_METALS, TABLE_WAVELENGTHS};
 use super::{Bar, SpeedOptions, SpeedRow, speed};
@@ -26,6 +26,8 @@ pub struct SpeedEvidence {
     pub(super) machine: Machine,
     pub(super) rounds: usize,
     pub(super) digits: Digits,
+    pub(super) dielectric_ulp: f64,
+    pub(super) index_relative: f64,
     pub(super) spectral_20: StandIn,
     pub(super) polynomial_10: StandIn,
     pub(super) table_difference: f64,
@@ -117,6 +119,8 @@ impl SpeedEvidence {
             machine: Machine::of(options),
             rounds: options.rounds,
             digits: digits(options.level),
+            dielectric_ulp: dielectric_ulp(options.level),
+            index_relative: index_relative(options.level),
             spectral_20,
             polynomial_10,
             table_difference: table.largest_difference(options.level),
