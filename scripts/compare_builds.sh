@@ -3,6 +3,8 @@
 # the shortest times side by side as CSV: kernel,kind,per,stock_ns,native_ns. Says the middle ratio of our kernels.
 #
 #   scripts/compare_builds.sh OUT.csv [TURNS]
+#
+# Binaries that are there already are given as STOCK and NATIVE, and nothing is built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=${1:?"usage: scripts/compare_builds.sh OUT.csv [TURNS]"}
@@ -10,13 +12,20 @@ turns=${2:-3}
 folder=target/builds
 mkdir -p "$folder"
 
-cargo build --quiet --release --no-default-features --features cli
-RUSTFLAGS="-C target-cpu=native" cargo build --quiet --release --no-default-features --features cli --target-dir target/native
+if [ -z "${STOCK:-}" ]; then
+    STOCK=target/release/edgewise
+    cargo build --quiet --release --no-default-features --features cli
+fi
+if [ -z "${NATIVE:-}" ]; then
+    NATIVE=target/native/release/edgewise
+    RUSTFLAGS="-C target-cpu=native" \
+        cargo build --quiet --release --no-default-features --features cli --target-dir target/native
+fi
 
 for turn in $(seq "$turns"); do
     for build in stock native; do
-        binary=target/release/edgewise
-        [ "$build" = native ] && binary=target/native/release/edgewise
+        binary=$STOCK
+        [ "$build" = native ] && binary=$NATIVE
         echo "turn $turn of $turns: $build" >&2
         "$binary" study speed --format csv >"$folder/$build.$turn.csv"
     done

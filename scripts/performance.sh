@@ -10,7 +10,7 @@ mkdir -p "$folder"
 target/venv/bin/pip install --quiet --disable-pip-version-check --requirement scripts/requirements.txt
 
 scripts/compare_builds.sh "$folder/builds.csv"
-edgewise=target/release/edgewise
+edgewise=${STOCK:-target/release/edgewise}
 "$edgewise" study speed --error-table >"$folder/table.json"
 target/venv/bin/python scripts/compare_accuracy.py "$folder/table.json" >"$folder/python.json"
 "$edgewise" study speed --evidence --python "$folder/python.json" --builds "$folder/builds.csv" >"$folder/performance.md"
