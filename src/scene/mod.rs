@@ -7,6 +7,7 @@
 //! | `facing` | the angles of a rendered facing-ratio pass, of each material by ids or mattes |
 //! | `tolerance` | the error over the angles that are seen, and the bound on it |
 //! | `target` | which cost counts |
+//! | `material` | a material of a scene, and what it is measured against |
 //! | `curves` | a material in every variant, with its error at every angle |
 //! | `plan` | the choice for each material, and what the scene saves |
 //! | `plan_file` | the plan as versioned JSON |
@@ -14,6 +15,7 @@
 mod angles;
 mod curves;
 mod facing;
+mod material;
 mod plan;
 mod plan_file;
 mod shape;
@@ -21,10 +23,11 @@ mod target;
 mod tolerance;
 
 pub use angles::{Angles, NODES, node_cosines};
-pub use curves::{MaterialCurves, VariantCurve};
+pub use curves::{MaterialCurves, SceneCurves, VariantCurve};
 pub use facing::{FacingPass, FacingReport, Masks, Seen};
+pub use material::{SceneMaterial, Source};
 pub use plan::{
-    Judgement, MaterialPlan, Plan, PlanError, PlanOptions, Savings, SceneMaterial, Source, Verdict, plan_scene,
+    Judgement, MaterialPlan, Plan, PlanError, PlanOptions, Saved, Savings, Verdict, plan_scene, plan_with_curves,
 };
 pub use plan_file::{PLAN_FORMAT, PlanFileError};
 pub use shape::{Shape, ShapeError};

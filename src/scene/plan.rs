@@ -1,36 +1,17 @@
 //! For each material the cheapest variant within the tolerance, why not a cheaper one, and what the scene saves.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{Angles, MaterialCurves, SeenError, Target, Tolerance, VariantCurve};
+use super::material::{SceneMaterial, Source, Truth};
+use super::{Angles, MaterialCurves, SceneCurves, SeenError, Target, Tolerance, VariantCurve};
 use crate::color::{Rgb, RgbSpace};
-use crate::metal::{Metal, metals};
+use crate::metal::metals;
 use crate::preset::{Origin, Preset};
-use crate::study::{Cost, Costs, Form, Measure, StudyError, Subject, Variant};
-
-/// What a material of a scene is.
-#[derive(Clone, Debug)]
-pub enum Source {
-    /// A measured metal, of the library or a person's own.
-    Metal(Arc<Metal>),
-    /// Two colours.
-    Preset(Box<Preset>),
-}
-
-/// A material, and the angles at which the scene sees it.
-#[derive(Clone, Debug)]
-pub struct SceneMaterial {
-    /// What it is.
-    pub source: Source,
-    /// How often each angle is seen. The totals of all materials are their shares of the picture.
-    pub angles: Angles,
-}
+use crate::study::{Cost, Costs, Form, Measure, StudyError, Variant};
 
 /// What a plan is made for.
 #[derive(Clone, Debug, Default)]
@@ -208,31 +189,29 @@ pub fn plan_scene(
     options: &PlanOptions,
     progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync),
 ) -> Result<Plan, PlanError> {
-    let limit = options.tolerance.delta_e;
-    if materials.is_empty() {
-        return Err(PlanError::NoMaterial);
-    }
-    if !(limit >= 0.0 && limit.is_finite()) {
-        return Err(PlanError::Tolerance(limit));
-    }
-    let truths: Vec<Truth> = materials.iter().map(|material| Truth::of(&material.source)).collect();
-    let (distinct, index) = distinct(&truths);
-    let done = AtomicUsize::new(0);
-    let curves: Result<Vec<MaterialCurves>, StudyError> = distinct
-        .par_iter()
-        .map(|truth| {
-            let share = || done.load(Ordering::Relaxed) as f32 / distinct.len() as f32;
-            let curves = MaterialCurves::of(&truth.subject, options.space, &mut || progress(share()));
-            done.fetch_add(1, Ordering::Relaxed);
-            curves
-        })
-        .collect();
-    let curves = curves?;
+    check(materials, options)?;
+    let sources: Vec<&Source> = materials.iter().map(|material| &material.source).collect();
+    let curves = SceneCurves::of(&sources, options.space, None, progress)?;
+    plan_with_curves(materials, &curves, scene, options)
+}
+
+/// Plans for every material from its curves, which other scenes and tolerances may share.
+///
+/// # Panics
+/// If the curves are of other materials or in another space.
+pub fn plan_with_curves(
+    materials: &[SceneMaterial],
+    curves: &SceneCurves,
+    scene: &str,
+    options: &PlanOptions,
+) -> Result<Plan, PlanError> {
+    check(materials, options)?;
+    assert_eq!((curves.len(), curves.space()), (materials.len(), options.space), "curves of these materials");
     let total: f64 = materials.iter().map(|material| material.angles.total()).sum();
     let has_times = options.costs.has_times();
     let plans: Vec<MaterialPlan> = (0..materials.len())
         .into_par_iter()
-        .map(|i| plan_material(&materials[i], &truths[i], &curves[index[i]], total, has_times, options))
+        .map(|i| plan_material(&materials[i], curves.get(i), total, has_times, options))
         .collect();
     Ok(Plan {
         space: options.space,
@@ -240,71 +219,33 @@ pub fn plan_scene(
         target: options.target,
         has_times,
         scene: scene.to_owned(),
-        saves: savings(&plans, &curves, &index, &options.costs),
+        saves: savings(&plans, curves, &options.costs),
         materials: plans,
     })
 }
 
-/// What the error of a material is measured against, and what a person should know about it.
-struct Truth<'a> {
-    subject: Subject<'a>,
-    note: Option<String>,
-}
-
-impl<'a> Truth<'a> {
-    /// A preset that is a measured metal's is held against the metal, any other against itself.
-    fn of(source: &'a Source) -> Self {
-        let (subject, note) = match source {
-            Source::Metal(metal) => (Subject::Metal(metal), None),
-            Source::Preset(preset) => Subject::of_preset(preset),
-        };
-        Self { subject, note }
+fn check(materials: &[SceneMaterial], options: &PlanOptions) -> Result<(), PlanError> {
+    let limit = options.tolerance.delta_e;
+    if materials.is_empty() {
+        return Err(PlanError::NoMaterial);
     }
-
-    fn metal(&self) -> Option<&'a Metal> {
-        if let Subject::Metal(metal) = self.subject { Some(metal) } else { None }
+    if !(limit >= 0.0 && limit.is_finite()) {
+        return Err(PlanError::Tolerance(limit));
     }
-
-    fn is_same_metal(&self, other: &Self) -> bool {
-        let pair = self.metal().zip(other.metal());
-        pair.is_some_and(|(a, b)| std::ptr::eq(a, b) || (a.id == b.id && a.table() == b.table()))
-    }
-
-    fn notes(&self) -> impl Iterator<Item = String> + '_ {
-        let held = self.metal().map(|metal| metal.held_ends().sentence()).filter(|sentence| !sentence.is_empty());
-        held.into_iter().chain(self.note.clone())
-    }
-}
-
-/// The truths that differ, and which of them each is.
-fn distinct<'a, 'b>(truths: &'b [Truth<'a>]) -> (Vec<&'b Truth<'a>>, Vec<usize>) {
-    let mut metals: Vec<usize> = Vec::new();
-    let mut distinct: Vec<&Truth<'a>> = Vec::new();
-    let index = truths.iter().map(|truth| {
-        if let Some(&known) = metals.iter().find(|known| distinct[**known].is_same_metal(truth)) {
-            return known;
-        }
-        if truth.metal().is_some() {
-            metals.push(distinct.len());
-        }
-        distinct.push(truth);
-        distinct.len() - 1
-    });
-    let index = index.collect();
-    (distinct, index)
+    Ok(())
 }
 
 fn plan_material(
     material: &SceneMaterial,
-    truth: &Truth<'_>,
     curves: &MaterialCurves,
     total: f64,
     has_times: bool,
     options: &PlanOptions,
 ) -> MaterialPlan {
+    let truth = Truth::of(&material.source);
     let judgements = judge(curves, &material.angles, has_times, options);
     let chosen = judgements.iter().find(|j| j.verdict == Verdict::Chosen).map_or(Variant::Exact, |j| j.variant);
-    let of = &curves.variants.iter().find(|curve| curve.of.variant == chosen).unwrap_or(curves.exact()).of;
+    let of = &curves.variant(chosen).unwrap_or(curves.exact()).of;
     let (name, r, h, roughness) = match &material.source {
         Source::Metal(metal) => (metal.name.clone(), metal.r(options.space), metal.h(options.space), 0.0),
         Source::Preset(preset) => {
@@ -359,12 +300,12 @@ fn judge(curves: &MaterialCurves, angles: &Angles, has_times: bool, options: &Pl
     judgements
 }
 
-fn savings(plans: &[MaterialPlan], curves: &[MaterialCurves], index: &[usize], costs: &Costs) -> Savings {
+fn savings(plans: &[MaterialPlan], curves: &SceneCurves, costs: &Costs) -> Savings {
     let mut saves = Savings::default();
     let mut ns = Saved::default();
     let mut has_ns = true;
-    for (plan, index) in plans.iter().zip(index) {
-        let (planned, exact) = (plan.choice().cost, costs.of(curves[*index].exact().of.variant));
+    for (index, plan) in plans.iter().enumerate() {
+        let (planned, exact) = (plan.choice().cost, costs.of(curves.get(index).exact().of.variant));
         let operations = (f64::from(planned.shader_operations), f64::from(exact.shader_operations));
         saves.shader_operations.add(plan.share, operations.0, operations.1);
         saves.parameter_bytes.add(1.0, planned.parameter_bytes as f64, exact.parameter_bytes as f64);
@@ -386,10 +327,11 @@ impl Plan {
         let time = measured_ns.map(|ns| format!(", {}", of(ns, "ns"))).unwrap_or_default();
         let only_r = self.materials.iter().filter(|material| material.chosen.needs_only_r()).count();
         format!(
-            "{}{time} for each pixel on average, and {} of parameters; {only_r} of {} materials need no h.",
+            "{}{time} for each pixel on average, and {} of parameters; {only_r} of {} materials {} no h.",
             of(shader_operations, "shader operations"),
             of(parameter_bytes, "bytes"),
-            self.materials.len()
+            self.materials.len(),
+            if only_r == 1 { "needs" } else { "need" }
         )
     }
 
@@ -407,13 +349,15 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use proptest::prelude::*;
 
     use super::*;
     use crate::fresnel::CosTheta;
-    use crate::metal::{metal_by_name, preferred_metals};
+    use crate::metal::{Metal, metal_by_name, preferred_metals};
     use crate::scene::Shape;
-    use crate::study::no_progress;
+    use crate::study::{Subject, no_progress};
 
     fn metal(name: &str, angles: Angles) -> SceneMaterial {
         SceneMaterial { source: Source::Metal(Arc::new(metal_by_name(name).unwrap().clone())), angles }

@@ -83,7 +83,7 @@ pub use spread::{SpreadRow, spread};
 pub use stability::{Fineness, StabilityRow, stability, stability_summary};
 pub use subject::{Contestants, StudyError, Subject};
 pub use summary::{Summary, summaries};
-pub use trade::{TradeOptions, TradeRow, trade, trade_summary};
+pub use trade::{TradeErrors, TradeOptions, TradeRow, trade, trade_summary};
 pub use uniformity::{
     Reach, Slider, SliderSweep, StepRow, UniformityOptions, UniformityRow, uniformity, uniformity_summary,
 };

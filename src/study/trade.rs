@@ -63,33 +63,81 @@ impl TradeRow {
 /// Errors of one variant of one material at the whole degrees.
 type Errors = (Variant, Vec<f64>);
 
+/// The errors of every variant of some materials: what charts over any cost and of any measure share.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TradeErrors {
+    /// Each material by its name.
+    of: Vec<(String, Vec<Errors>)>,
+}
+
+impl TradeErrors {
+    /// Fits and measures every variant of every material. `progress` breaks to stop.
+    pub fn of(
+        subjects: &[Subject<'_>],
+        space: RgbSpace,
+        progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync),
+    ) -> Result<Self, StudyError> {
+        let done = AtomicUsize::new(0);
+        let of_subject = |subject: &Subject<'_>| -> Result<(String, Vec<Errors>), StudyError> {
+            let share = || done.load(Ordering::Relaxed) as f32 / subjects.len() as f32;
+            let errors = errors(subject, space, &mut || progress(share()))?;
+            done.fetch_add(1, Ordering::Relaxed);
+            Ok((subject.name(), errors))
+        };
+        let of: Result<Vec<(String, Vec<Errors>)>, StudyError> = subjects.par_iter().map(of_subject).collect();
+        Ok(Self { of: of? })
+    }
+
+    /// One row for each variant, the cheapest first; the space of `options` is that of the errors.
+    pub fn rows(&self, options: &TradeOptions) -> Vec<TradeRow> {
+        let mut rows: Vec<TradeRow> =
+            Variant::ALL.into_iter().filter_map(|variant| self.row(variant, options)).collect();
+        let cost = |row: &TradeRow| options.costs.of(row.variant).on(options.cost).unwrap_or(f64::INFINITY);
+        rows.sort_by(|a, b| {
+            (cost(a).total_cmp(&cost(b))).then(a.error(options.measure).total_cmp(&b.error(options.measure)))
+        });
+        let mut best = f64::INFINITY;
+        for row in &mut rows {
+            row.is_on_front = cost(row).is_finite() && row.error(options.measure) < best;
+            best = best.min(row.error(options.measure));
+        }
+        rows
+    }
+
+    fn row(&self, variant: Variant, options: &TradeOptions) -> Option<TradeRow> {
+        let named: Vec<(&str, &[f64])> =
+            (self.of.iter()).filter_map(|(name, errors)| Some((name.as_str(), errors_of(errors, variant)?))).collect();
+        let worst =
+            named.iter().max_by(|(_, a), (_, b)| largest(a.iter().copied()).total_cmp(&largest(b.iter().copied())))?;
+        let mut values: Vec<f64> = named.iter().flat_map(|(_, values)| *values).copied().collect();
+        values.sort_by(f64::total_cmp);
+        let cost = options.costs.of(variant);
+        Some(TradeRow {
+            variant,
+            materials: named.len(),
+            measured_ns: cost.measured_ns,
+            shader_operations: cost.shader_operations,
+            parameter_bytes: cost.parameter_bytes,
+            mean_delta_e: values.iter().sum::<f64>() / values.len() as f64,
+            p95_delta_e: values[((values.len() as f64 * 0.95).ceil() as usize).clamp(1, values.len()) - 1],
+            max_delta_e: largest(values.iter().copied()),
+            worst: worst.0.to_owned(),
+            is_on_front: false,
+        })
+    }
+}
+
 /// Measures every variant of every material, the cheapest first. `progress` breaks to stop.
 pub fn trade(
     subjects: &[Subject<'_>],
     options: &TradeOptions,
     progress: &(dyn Fn(f32) -> ControlFlow<()> + Sync),
 ) -> Result<Vec<TradeRow>, StudyError> {
-    let done = AtomicUsize::new(0);
-    let of_subject = |subject: &Subject<'_>| {
-        let share = || done.load(Ordering::Relaxed) as f32 / subjects.len() as f32;
-        let errors = errors(subject, options.space, &mut || progress(share()));
-        done.fetch_add(1, Ordering::Relaxed);
-        errors
-    };
-    let all: Result<Vec<Vec<Errors>>, StudyError> = subjects.par_iter().map(of_subject).collect();
-    let all = all?;
-    let mut rows: Vec<TradeRow> =
-        Variant::ALL.into_iter().filter_map(|variant| row(variant, subjects, &all, options)).collect();
-    let cost = |row: &TradeRow| options.costs.of(row.variant).on(options.cost).unwrap_or(f64::INFINITY);
-    rows.sort_by(|a, b| {
-        (cost(a).total_cmp(&cost(b))).then(a.error(options.measure).total_cmp(&b.error(options.measure)))
-    });
-    let mut best = f64::INFINITY;
-    for row in &mut rows {
-        row.is_on_front = cost(row).is_finite() && row.error(options.measure) < best;
-        best = best.min(row.error(options.measure));
-    }
-    Ok(rows)
+    Ok(TradeErrors::of(subjects, options.space, progress)?.rows(options))
+}
+
+fn errors_of(all: &[Errors], variant: Variant) -> Option<&[f64]> {
+    all.iter().find(|(own, _)| *own == variant).map(|(_, errors)| errors.as_slice())
 }
 
 fn errors(
@@ -106,36 +154,25 @@ fn errors(
     Ok(forms.into_iter().map(of).collect())
 }
 
-fn row(variant: Variant, subjects: &[Subject<'_>], all: &[Vec<Errors>], options: &TradeOptions) -> Option<TradeRow> {
-    let of = |errors: &Vec<Errors>| errors.iter().find(|(own, _)| *own == variant).map(|(_, values)| values.clone());
-    let named: Vec<(String, Vec<f64>)> =
-        subjects.iter().zip(all).filter_map(|(subject, errors)| Some((subject.name(), of(errors)?))).collect();
-    let worst =
-        named.iter().max_by(|(_, a), (_, b)| largest(a.iter().copied()).total_cmp(&largest(b.iter().copied())))?;
-    let mut values: Vec<f64> = named.iter().flat_map(|(_, values)| values).copied().collect();
-    values.sort_by(f64::total_cmp);
-    let cost = options.costs.of(variant);
-    Some(TradeRow {
-        variant,
-        materials: named.len(),
-        measured_ns: cost.measured_ns,
-        shader_operations: cost.shader_operations,
-        parameter_bytes: cost.parameter_bytes,
-        mean_delta_e: values.iter().sum::<f64>() / values.len() as f64,
-        p95_delta_e: values[((values.len() as f64 * 0.95).ceil() as usize).clamp(1, values.len()) - 1],
-        max_delta_e: largest(values.iter().copied()),
-        worst: worst.0.clone(),
-        is_on_front: false,
-    })
-}
-
 /// What the front says: how near one comes for how much.
 pub fn trade_summary(rows: &[TradeRow], options: &TradeOptions) -> String {
     let told = rows.iter().filter(|row| row.is_on_front).map(|row| {
         let cost = options.costs.of(row.variant).on(options.cost).unwrap_or(f64::NAN);
-        format!("{} {} at {cost:.0}", row.variant, error_text(row.error(options.measure)))
+        let digits = usize::from(options.cost == CostAxis::MeasuredNs) * 2;
+        format!("{} {} at {cost:.digits$}", row.variant.label(), error_text(row.error(options.measure)))
     });
-    format!("{} against {}: {}.", options.measure.label(), options.cost.id(), told.collect::<Vec<_>>().join("; "))
+    let cost = match options.cost {
+        CostAxis::MeasuredNs => "nanoseconds",
+        CostAxis::ShaderOperations => "shader operations",
+        CostAxis::ParameterBytes => "bytes of parameters",
+    };
+    let front = told.collect::<Vec<_>>().join("; ");
+    let error = match options.measure {
+        Measure::Mean => "Mean ΔE",
+        Measure::P95 => "ΔE of 95 %",
+        Measure::Max => "Largest ΔE",
+    };
+    format!("{error} by {cost}, where nothing as cheap is nearer: {front}.")
 }
 
 fn error_text(value: f64) -> String {
