@@ -11,12 +11,14 @@
 //! | `curves` | a material in every variant, with its error at every angle |
 //! | `plan` | the choice for each material, and what the scene saves |
 //! | `plan_file` | the plan as versioned JSON |
+//! | `plan_export` | its materials as files of other programs, without what the scene does not need |
 
 mod angles;
 mod curves;
 mod facing;
 mod material;
 mod plan;
+mod plan_export;
 mod plan_file;
 mod shape;
 mod target;
@@ -29,6 +31,7 @@ pub use material::{SceneMaterial, Source};
 pub use plan::{
     Judgement, MaterialPlan, Plan, PlanError, PlanOptions, Saved, Savings, Verdict, plan_scene, plan_with_curves,
 };
+pub use plan_export::{PlanExport, PlanExportError, PlannedFile};
 pub use plan_file::{PLAN_FORMAT, PlanFileError};
 pub use shape::{Shape, ShapeError};
 pub use target::Target;
