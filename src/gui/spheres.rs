@@ -2,14 +2,17 @@
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use super::job::Follower;
+use super::job::{Follower, Job, Poll, Progress};
+use super::preview::{Quality, Rung, Took, measure, milliseconds, within};
 use crate::color::RgbSpace;
 use crate::fresnel::FresnelModel;
-use crate::metal::Metal;
+use crate::metal::{Metal, SpectralModel};
 use crate::render::{DeltaEMap, Light, RadialTable, SphereView, Srgb8Picture};
+use crate::spectrum::Quadrature;
 
 /// Everything a preview depends on.
 #[derive(Clone, Debug)]
@@ -48,16 +51,21 @@ impl Wanted {
     }
 }
 
-/// What a change of the preset's colours leaves as it is.
+/// The truth at every nanometre: what a change of the preset's colours leaves as it is.
 #[derive(Clone)]
 struct Kept {
     wanted: Wanted,
-    view: Arc<SphereView>,
-    truth: Option<Arc<RadialTable>>,
+    truth: Arc<RadialTable>,
 }
 
 struct Rendered {
-    kept: Kept,
+    kept: Option<Kept>,
+    took: Took,
+    drawn: Drawn,
+}
+
+/// The sphere of the preset, and where there is a metal, its sphere and the difference of both, as the screen shows them.
+pub(super) struct Drawn {
     preset: Srgb8Picture,
     truth: Option<Truth>,
 }
@@ -87,12 +95,23 @@ pub(crate) struct Shown {
     pub truth: Option<(TextureHandle, TextureHandle, Difference)>,
 }
 
-/// The previews and the job that renders them.
+/// After so much time without a change the hand rests, and the finished picture follows.
+const REST_SECONDS: f64 = 0.15;
+
+/// The previews and the jobs that render and measure them.
 #[derive(Default)]
 pub(crate) struct Spheres {
-    rendering: Follower<Wanted, Rendered>,
+    rendering: Follower<(Wanted, Quality), Rendered>,
     kept: Option<Kept>,
     shown: Option<Shown>,
+    /// What was wanted last, and since when.
+    wanted: Option<(Wanted, f64)>,
+    /// True while what is shown is not finished.
+    is_refining: bool,
+    /// What the last finished picture took.
+    full: Took,
+    measuring: Option<Job<Wanted, Vec<Rung>>>,
+    measured: Option<(Wanted, Vec<Rung>)>,
 }
 
 impl Spheres {
@@ -101,18 +120,86 @@ impl Spheres {
         self.rendering.is_busy()
     }
 
+    /// True while a better picture is to follow, or qualities are measured; only of a page that is on show.
+    pub(crate) fn is_refining(&self) -> bool {
+        self.is_refining || self.measuring.is_some()
+    }
+
     /// The newest pictures there are.
     pub(crate) fn shown(&self) -> Option<&Shown> {
         self.shown.as_ref()
     }
 
-    /// Sees to it that what is wanted will be shown.
-    pub(crate) fn want(&mut self, ctx: &Context, wanted: Wanted) {
-        let kept = self.kept.clone();
-        let rendered = self.rendering.follow(ctx, "spheres", wanted, move |wanted, _| render(wanted, kept));
-        if let Some((_, rendered)) = rendered {
-            self.shown = Some(Shown::new(ctx, &rendered));
-            self.kept = Some(rendered.kept);
+    /// Sees to it that what is wanted will be shown: within a budget while it changes, finished when it rests.
+    pub(crate) fn want(&mut self, ctx: &Context, wanted: Wanted, budget_ms: f64) {
+        let quality = self.quality(ctx, &wanted, budget_ms);
+        let kept = self.kept.clone().filter(|kept| kept.wanted.same_truth(&wanted));
+        let asked = (wanted, quality);
+        let work = move |(wanted, quality): (Wanted, Quality), _: &Progress| render(&wanted, quality, kept);
+        if let Some(((_, quality), rendered)) = self.rendering.follow(ctx, "spheres", asked, work) {
+            self.shown = Some(Shown::new(ctx, &rendered.drawn));
+            if rendered.kept.is_some() {
+                self.kept = rendered.kept;
+            }
+            if quality == Quality::FULL {
+                let Took { truth_ms, picture_ms } = rendered.took;
+                // A truth that was known took no time; the last one that was not still says what one takes.
+                self.full = Took { truth_ms: if truth_ms > 0.0 { truth_ms } else { self.full.truth_ms }, picture_ms };
+            }
+        }
+        self.poll_measuring();
+    }
+
+    fn quality(&mut self, ctx: &Context, wanted: &Wanted, budget_ms: f64) -> Quality {
+        let time = ctx.input(|input| input.time);
+        let since = match &self.wanted {
+            Some((known, since)) if known == wanted => *since,
+            _ => {
+                self.measuring = None;
+                self.wanted = Some((wanted.clone(), time));
+                time
+            }
+        };
+        let rests = self.shown.is_none() || time - since >= REST_SECONDS;
+        if rests {
+            self.is_refining = false;
+            return Quality::FULL;
+        }
+        let needs_truth =
+            wanted.metal.is_some() && !self.kept.as_ref().is_some_and(|kept| kept.wanted.same_truth(wanted));
+        let quality = within(budget_ms, needs_truth, self.full, self.rungs());
+        self.is_refining = quality != Quality::FULL;
+        if self.is_refining {
+            ctx.request_repaint_after_secs((REST_SECONDS - (time - since)) as f32);
+        }
+        quality
+    }
+
+    fn rungs(&self) -> &[Rung] {
+        self.measured.as_ref().map(|(_, rungs)| rungs.as_slice()).unwrap_or_default()
+    }
+
+    /// What each quality takes and costs of the picture that is wanted, and sees to it that it is measured; of an older
+    /// one while that goes on.
+    pub(crate) fn measured(&mut self, ctx: &Context) -> &[Rung] {
+        if let Some((wanted, _)) = &self.wanted
+            && self.measuring.is_none()
+            && self.measured.as_ref().is_none_or(|(known, _)| known != wanted)
+        {
+            let job = Job::start(ctx, "measure previews", wanted.clone(), |wanted, progress| {
+                measure(&wanted, &mut |share| progress.report(share))
+            });
+            self.measuring = job.inspect_err(|error| log::error!("no thread could be started: {error}")).ok();
+        }
+        self.rungs()
+    }
+
+    fn poll_measuring(&mut self) {
+        let Some(job) = self.measuring.take() else { return };
+        match job.poll() {
+            Poll::Working => self.measuring = Some(job),
+            Poll::Done(rungs) => self.measured = Some((job.input.clone(), rungs)),
+            Poll::Lost => log::error!("measuring previews ended unexpectedly"),
         }
     }
 }
@@ -124,11 +211,11 @@ impl std::fmt::Debug for Spheres {
 }
 
 impl Shown {
-    fn new(ctx: &Context, rendered: &Rendered) -> Self {
+    fn new(ctx: &Context, drawn: &Drawn) -> Self {
         let load = |name: &str, picture: &Srgb8Picture| ctx.load_texture(name, image(picture), TextureOptions::LINEAR);
         Self {
-            preset: load("sphere of the preset", &rendered.preset),
-            truth: rendered.truth.as_ref().map(|truth| {
+            preset: load("sphere of the preset", &drawn.preset),
+            truth: drawn.truth.as_ref().map(|truth| {
                 let sphere = load("sphere of the truth", &truth.picture);
                 (sphere, load("difference of the spheres", &truth.map), truth.difference)
             }),
@@ -140,30 +227,59 @@ fn image(picture: &Srgb8Picture) -> ColorImage {
     ColorImage::from_rgba_unmultiplied([picture.width as usize, picture.height as usize], &picture.rgba)
 }
 
-fn render(wanted: Wanted, kept: Option<Kept>) -> Rendered {
-    let view = match &kept {
-        Some(kept) if kept.wanted.same_view(&wanted) => kept.view.clone(),
-        _ => view_of(&wanted),
+impl Drawn {
+    /// Draws a preview; the truth as it is given.
+    pub(super) fn of(wanted: &Wanted, quality: Quality, truth: Option<&RadialTable>) -> Self {
+        let view = view_of(&Wanted { size: quality.size(wanted.size), ..wanted.clone() });
+        let preset = view.render(&RadialTable::of_model(&wanted.model, wanted.space));
+        let truth = truth.map(|table| {
+            let picture = view.render(table);
+            let map = DeltaEMap::between(&preset, &picture);
+            let difference = Difference { mean: map.mean(), max: map.max(), full_scale: full_scale(map.max()) };
+            Truth { picture: picture.to_srgb8(), map: map.to_false_colour(difference.full_scale), difference }
+        });
+        Self { preset: preset.to_srgb8(), truth }
+    }
+
+    /// The sphere that all of the quality shows on.
+    pub(super) fn sphere(&self) -> &Srgb8Picture {
+        self.truth.as_ref().map_or(&self.preset, |truth| &truth.picture)
+    }
+}
+
+/// The truth of the metal, if there is one.
+pub(super) fn truth_table(wanted: &Wanted, quality: Quality) -> Option<Arc<RadialTable>> {
+    let metal = wanted.metal?;
+    Some(Arc::new(match quality.wavelengths {
+        None => RadialTable::of_metal(metal, wanted.space),
+        Some(count) => {
+            let few = SpectralModel::new(metal, count, Quadrature::Spline, wanted.space);
+            RadialTable::new(wanted.space, |cos_theta| few.reflectance(cos_theta))
+        }
+    }))
+}
+
+/// `kept` is the same truth at every nanometre: no fewer wavelengths are quicker.
+fn render(wanted: &Wanted, quality: Quality, kept: Option<Kept>) -> Rendered {
+    let start = Instant::now();
+    let (truth, truth_ms) = match &kept {
+        Some(kept) => (Some(kept.truth.clone()), 0.0),
+        None => (truth_table(wanted, quality), milliseconds(start)),
     };
-    let truth = match &kept {
-        Some(kept) if kept.wanted.same_truth(&wanted) => kept.truth.clone(),
-        _ => wanted.metal.map(|metal| Arc::new(RadialTable::of_metal(metal, wanted.space))),
-    };
-    let preset = view.render(&RadialTable::of_model(&wanted.model, wanted.space));
-    let truth_shown = truth.as_ref().map(|table| {
-        let picture = view.render(table);
-        let map = DeltaEMap::between(&preset, &picture);
-        let difference = Difference { mean: map.mean(), max: map.max(), full_scale: full_scale(map.max()) };
-        Truth { picture: picture.to_srgb8(), map: map.to_false_colour(difference.full_scale), difference }
-    });
-    Rendered { preset: preset.to_srgb8(), truth: truth_shown, kept: Kept { wanted, view, truth } }
+    let drawn = Drawn::of(wanted, quality, truth.as_deref());
+    let is_exact = kept.is_some() || quality.wavelengths.is_none();
+    Rendered {
+        drawn,
+        kept: truth.filter(|_| is_exact).map(|truth| Kept { wanted: wanted.clone(), truth }),
+        took: Took { truth_ms, picture_ms: milliseconds(start) - truth_ms },
+    }
 }
 
 /// What one view depends on: light, size, space, and the bits of the roughness.
 type ViewKey = (Light, u32, RgbSpace, u64);
 
-/// How many views are kept: a person goes back and forth between a few lights.
-const KEPT_VIEWS: usize = 6;
+/// How many views are kept: a person goes back and forth between a few lights, and each has a few sizes.
+const KEPT_VIEWS: usize = 12;
 
 /// The view of a sphere. Blurring the light costs far more than rendering, so the last few are kept.
 fn view_of(wanted: &Wanted) -> Arc<SphereView> {
@@ -183,4 +299,49 @@ fn view_of(wanted: &Wanted) -> Arc<SphereView> {
 /// The smallest round end of a scale that holds `max`.
 pub(crate) fn full_scale(max: f64) -> f64 {
     [2.0, 5.0, 10.0, 20.0, 50.0].into_iter().find(|scale| *scale >= max).unwrap_or(100.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::RawInput;
+
+    use super::*;
+    use crate::color::Rgb;
+
+    fn wanted(r: f64) -> Wanted {
+        Wanted {
+            model: FresnelModel::Schlick { r: Rgb::splat(r) },
+            space: RgbSpace::LinRec709,
+            roughness: 0.0,
+            metal: None,
+            light: Light::White,
+            size: 40,
+        }
+    }
+
+    /// Frames at one time, until what was asked for is drawn; gives the side of the picture.
+    fn side_at(ctx: &Context, spheres: &mut Spheres, r: f64, time: f64, budget_ms: f64) -> usize {
+        loop {
+            ctx.begin_pass(RawInput { time: Some(time), ..RawInput::default() });
+            spheres.want(ctx, wanted(r), budget_ms);
+            ctx.end_pass().textures_delta.clear();
+            if !spheres.is_busy() {
+                return spheres.shown().unwrap().preset.size()[0];
+            }
+            std::thread::yield_now();
+        }
+    }
+
+    #[test]
+    fn what_moves_is_coarse_within_its_budget_and_finished_at_rest() {
+        let (ctx, mut spheres) = (Context::default(), Spheres::default());
+        assert_eq!(side_at(&ctx, &mut spheres, 0.5, 0.0, 0.0), 40, "the first picture is awaited");
+        assert_eq!(side_at(&ctx, &mut spheres, 0.6, 1.0, 0.0), 10);
+        assert!(spheres.is_refining());
+        assert_eq!(side_at(&ctx, &mut spheres, 0.7, 1.1, 0.0), 10, "it still moves");
+        assert_eq!(side_at(&ctx, &mut spheres, 0.7, 1.2, 0.0), 10);
+        assert_eq!(side_at(&ctx, &mut spheres, 0.7, 1.3, 0.0), 40, "at rest");
+        assert!(!spheres.is_refining());
+        assert_eq!(side_at(&ctx, &mut spheres, 0.8, 2.0, 1e9), 40, "all the time there is");
+    }
 }

@@ -6,7 +6,7 @@ use super::comparisons::{Comparison, Comparisons};
 use super::demonstrations::{DemonstrationsPage, Open};
 use super::document::Document;
 use super::library::LibraryPage;
-use super::metals::MetalsPage;
+use super::metals::{MetalsPage, MetalsView};
 use super::photograph::Session;
 use super::spheres::Spheres;
 use super::truth::TruthCurves;
@@ -58,6 +58,15 @@ impl State {
         let notice = Notice { kind, text: text.into() };
         if !self.notices.contains(&notice) {
             self.notices.push(notice);
+        }
+    }
+
+    /// True while better previews are to follow on the page that is on show.
+    pub(crate) fn is_refining(&self) -> bool {
+        match self.page {
+            Page::Author => self.spheres.is_refining(),
+            Page::Metals => self.metals.view == MetalsView::Spheres && self.metals.spheres.is_refining(),
+            _ => false,
         }
     }
 
@@ -122,6 +131,8 @@ pub(crate) struct View {
     pub cursor_deg: Option<f64>,
     /// The light around the sphere.
     pub light: Light,
+    /// Milliseconds that a preview may take while something moves.
+    pub preview_ms: f64,
 }
 
 impl Default for View {
@@ -132,6 +143,7 @@ impl Default for View {
             is_grazing_only: false,
             cursor_deg: None,
             light: Light::PhotoStudio,
+            preview_ms: 16.0,
         }
     }
 }

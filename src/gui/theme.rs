@@ -43,6 +43,8 @@ pub(crate) const TAB_WIDTH: f32 = 92.0;
 pub(crate) const MARK_WIDTH: f32 = 104.0;
 /// Height of a preset in a list, with its sphere.
 pub(crate) const THUMBNAIL: f32 = 52.0;
+/// Width of the menu of the preview's quality.
+pub(crate) const PREVIEW_MENU: f32 = 300.0;
 /// Side of a sphere preview.
 pub(crate) const SPHERE: f32 = 176.0;
 /// Side of the swatch of a colour editor.

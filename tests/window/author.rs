@@ -134,3 +134,15 @@ fn other_models_of_the_preset_can_be_drawn_beneath_it() {
     window.tick("n, k");
     assert!(!window.shows(&conductor));
 }
+
+#[test]
+fn the_budget_of_a_preview_says_what_it_costs() {
+    let mut window = Window::open(None);
+    window.click("Preview");
+    assert!(window.shows("finished picture"));
+    let name = "Preview quality";
+    window.drag_slider(name, 0.5, 0.01);
+    assert!(window.shows("ΔE to the finished picture"), "a millisecond is too little for the finished one");
+    window.press(Modifiers::NONE, Key::Escape);
+    assert!(!window.shows("ΔE to the finished picture"));
+}

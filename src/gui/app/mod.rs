@@ -109,6 +109,7 @@ impl App {
             state.demonstrations.is_writing(),
             state.page == Page::Demonstrations && state.demonstrations.is_computing(),
             state.page == Page::Library && state.library.is_busy(),
+            state.is_refining(),
         ]
         .contains(&true)
     }

@@ -1,9 +1,11 @@
 //! The sphere of the preset, of the truth, and the map of their difference.
 
 use eframe::egui::{
-    Align2, Color32, ComboBox, CornerRadius, Image, Label, Rect, Sense, StrokeKind, TextStyle, TextureHandle, Ui, Vec2,
+    Align, Align2, Color32, ComboBox, CornerRadius, Image, Label, Layout, Rect, Sense, StrokeKind, TextStyle,
+    TextureHandle, Ui, Vec2,
 };
 
+use crate::gui::panels::preview;
 use crate::gui::spheres::{Difference, Wanted};
 use crate::gui::state::State;
 use crate::gui::theme;
@@ -24,7 +26,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State) {
         light: state.view.light,
         size: (size * ui.pixels_per_point()).round().max(8.0) as u32,
     };
-    state.spheres.want(ui.ctx(), wanted);
+    state.spheres.want(ui.ctx(), wanted, state.view.preview_ms);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GROUP_GAP;
         let Some(shown) = state.spheres.shown() else {
@@ -50,6 +52,9 @@ fn header(ui: &mut Ui, state: &mut State) {
             let words = format!("preset to truth: mean ΔE {:.2}, at most {:.2}", difference.mean, difference.max);
             ui.label(theme::hint(words));
         }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            preview::menu(ui, &mut state.spheres, &mut state.view.preview_ms);
+        });
     });
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         let page = &mut state.metals;
         match page.view {
             MetalsView::Curves => curves::show(ui, page, actions),
-            MetalsView::Spheres => spheres::show(ui, page, actions),
+            MetalsView::Spheres => spheres::show(ui, page, &mut state.view.preview_ms, actions),
             MetalsView::Table => table::show(ui, page, actions),
         }
     });

@@ -6,6 +6,7 @@ use super::{heading, saving};
 use crate::figure::SphereLayout;
 use crate::gui::command::Action;
 use crate::gui::metals::{CONTESTANTS, MetalsPage};
+use crate::gui::panels::preview;
 use crate::gui::panels::spheres::{light_chooser, scale};
 use crate::gui::sheet::{SPHERE_PIXELS, SheetKind};
 use crate::gui::spheres::{Shown, Wanted};
@@ -15,9 +16,9 @@ use crate::gui::theme::{self, Palette};
 const CAPTION: f32 = 38.0;
 
 /// Shows the spheres.
-pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>) {
+pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, preview_ms: &mut f64, actions: &mut Vec<Action>) {
     heading(ui, page);
-    controls(ui, page, actions);
+    controls(ui, page, preview_ms, actions);
     let (on_sphere, space) = (page.on_sphere, page.space);
     let model = page.curves(ui.ctx()).and_then(|curves| curves.fitted.iter().find(|f| f.contestant == on_sphere));
     let model = model.map(|fitted| fitted.model);
@@ -27,7 +28,7 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>
     if let Some(model) = model {
         let size = (side * ui.pixels_per_point()).round().max(8.0) as u32;
         let wanted = Wanted { model, space, roughness: 0.0, metal: Some(page.metal), light: page.light, size };
-        page.spheres.want(ui.ctx(), wanted);
+        page.spheres.want(ui.ctx(), wanted, *preview_ms);
     }
     let MetalsPage { spheres, wipe, metal, .. } = page;
     let Some(shown) = spheres.shown() else {
@@ -41,7 +42,7 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>
 }
 
 /// Which model, under which light, and what can be saved.
-fn controls(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>) {
+fn controls(ui: &mut Ui, page: &mut MetalsPage, preview_ms: &mut f64, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         ui.label(theme::hint("Model"));
         ComboBox::from_id_salt("model on the sphere")
@@ -57,6 +58,7 @@ fn controls(ui: &mut Ui, page: &mut MetalsPage, actions: &mut Vec<Action>) {
             .accessible_name("Model on the sphere");
         ui.label(theme::hint("Light"));
         light_chooser(ui, &mut page.light);
+        preview::menu(ui, &mut page.spheres, preview_ms);
         let what = format!("A .png in sRGB, or a linear, unclipped .exr, {SPHERE_PIXELS} pixels a sphere");
         let kinds = [
             (SheetKind::Spheres(SphereLayout::Beside), "Truth beside model…"),

@@ -1,0 +1,202 @@
+//! How good a preview is while something moves: what fits into a stated time, and the error it costs, measured.
+
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use image::RgbaImage;
+use image::imageops::{self, FilterType};
+
+use super::spheres::{Drawn, Wanted, truth_table};
+use crate::color::{RgbSpace, linear_from_srgb8};
+use crate::render::{DeltaEMap, Picture, Srgb8Picture};
+
+/// How good a picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Quality {
+    /// How many pixels of the screen one of the picture is wide.
+    pub coarseness: u32,
+    /// Wavelengths of a metal's truth; `None` is every nanometre.
+    pub wavelengths: Option<usize>,
+}
+
+impl Quality {
+    /// What is shown when nothing moves.
+    pub(crate) const FULL: Self = Self { coarseness: 1, wavelengths: None };
+
+    /// From the finished picture to the quickest.
+    pub(crate) const LADDER: [Self; 6] = [
+        Self::FULL,
+        Self { coarseness: 1, wavelengths: Some(31) },
+        Self { coarseness: 2, wavelengths: Some(31) },
+        Self { coarseness: 2, wavelengths: Some(16) },
+        Self { coarseness: 3, wavelengths: Some(8) },
+        Self { coarseness: 4, wavelengths: Some(8) },
+    ];
+
+    /// In words: `every 2nd pixel, 16 wavelengths for a metal`.
+    pub(crate) fn words(self) -> String {
+        let pixels = match self.coarseness {
+            1 => "every pixel".to_owned(),
+            2 => "every 2nd pixel".to_owned(),
+            3 => "every 3rd pixel".to_owned(),
+            n => format!("every {n}th pixel"),
+        };
+        match self.wavelengths {
+            Some(count) => format!("{pixels}, {count} wavelengths for a metal"),
+            None => format!("{pixels}, every nanometre for a metal"),
+        }
+    }
+
+    /// Side of the picture.
+    pub(crate) fn size(self, full: u32) -> u32 {
+        full.div_ceil(self.coarseness).max(8)
+    }
+}
+
+/// What a picture took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Took {
+    /// Milliseconds of the truth of a metal; 0 where it was known.
+    pub truth_ms: f64,
+    /// Milliseconds of everything else.
+    pub picture_ms: f64,
+}
+
+/// A quality with what it takes and costs, measured on this machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rung {
+    /// The quality.
+    pub quality: Quality,
+    /// The least of a few pictures.
+    pub took: Took,
+    /// Mean CIEDE2000 to the finished picture, over what both cover wholly.
+    pub mean_delta_e: f64,
+    /// The largest.
+    pub max_delta_e: f64,
+}
+
+/// The best quality within a budget, and else the quickest. `full` is what the finished picture took; what was measured
+/// counts before what follows from it.
+pub(crate) fn within(budget_ms: f64, needs_truth: bool, full: Took, rungs: &[Rung]) -> Quality {
+    let took = |quality: Quality| {
+        let measured = rungs.iter().find(|rung| rung.quality == quality).map(|rung| rung.took);
+        let took = measured.unwrap_or_else(|| expected(quality, full));
+        took.picture_ms + if needs_truth { took.truth_ms } else { 0.0 }
+    };
+    let found = Quality::LADDER.into_iter().find(|quality| took(*quality) <= budget_ms);
+    found.unwrap_or(Quality::LADDER[Quality::LADDER.len() - 1])
+}
+
+/// In proportion to pixels and to wavelengths.
+fn expected(quality: Quality, full: Took) -> Took {
+    let wavelengths = quality.wavelengths.map_or(1.0, |count| count as f64 / crate::spectrum::SAMPLES as f64);
+    let pixels = f64::from(quality.coarseness * quality.coarseness);
+    Took { truth_ms: full.truth_ms * wavelengths, picture_ms: full.picture_ms / pixels }
+}
+
+/// Pictures of each quality.
+const ROUNDS: usize = 3;
+
+/// Draws a preview in every quality; what there is when `progress` breaks.
+pub(crate) fn measure(wanted: &Wanted, progress: &mut dyn FnMut(f32) -> ControlFlow<()>) -> Vec<Rung> {
+    let full_truth = truth_table(wanted, Quality::FULL);
+    let full = Drawn::of(wanted, Quality::FULL, full_truth.as_deref());
+    let mut rungs = Vec::new();
+    for (index, quality) in Quality::LADDER.into_iter().enumerate() {
+        if progress(index as f32 / Quality::LADDER.len() as f32).is_break() {
+            break;
+        }
+        // The view is made once for many pictures, so that its time is none of theirs.
+        let mut drawn = Drawn::of(wanted, quality, full_truth.as_deref());
+        let mut took = Took { truth_ms: f64::INFINITY, picture_ms: f64::INFINITY };
+        for _ in 0..ROUNDS {
+            let start = Instant::now();
+            let truth = truth_table(wanted, quality);
+            let truth_ms = milliseconds(start);
+            drawn = Drawn::of(wanted, quality, truth.as_deref());
+            took.truth_ms = took.truth_ms.min(truth_ms);
+            took.picture_ms = took.picture_ms.min(milliseconds(start) - truth_ms);
+        }
+        let (mean_delta_e, max_delta_e) = difference(drawn.sphere(), full.sphere());
+        rungs.push(Rung { quality, took, mean_delta_e, max_delta_e });
+    }
+    rungs
+}
+
+/// Milliseconds since then.
+pub(crate) fn milliseconds(start: Instant) -> f64 {
+    1000.0 * start.elapsed().as_secs_f64()
+}
+
+/// Mean and largest CIEDE2000 of a coarse picture, drawn as large as the fine one as the screen does, to the fine one.
+fn difference(coarse: &Srgb8Picture, fine: &Srgb8Picture) -> (f64, f64) {
+    let image = |picture: &Srgb8Picture| RgbaImage::from_raw(picture.width, picture.height, picture.rgba.clone());
+    let (Some(coarse), Some(fine)) = (image(coarse), image(fine)) else { return (f64::NAN, f64::NAN) };
+    let coarse = imageops::resize(&coarse, fine.width(), fine.height(), FilterType::Triangle);
+    let is_whole: Vec<bool> = coarse.pixels().zip(fine.pixels()).map(|(a, b)| a[3] == 255 && b[3] == 255).collect();
+    let linear = |picture: &RgbaImage| Picture {
+        width: picture.width(),
+        height: picture.height(),
+        space: RgbSpace::LinRec709,
+        linear: picture
+            .pixels()
+            .map(|code| linear_from_srgb8([code[0], code[1], code[2]]).0.map(|v| v as f32))
+            .collect(),
+        coverage: is_whole.iter().map(|is_whole| f32::from(u8::from(*is_whole))).collect(),
+    };
+    let map = DeltaEMap::between(&linear(&coarse), &linear(&fine));
+    (map.mean(), map.max())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fresnel::FresnelModel;
+    use crate::metal::metal_by_name;
+    use crate::render::Light;
+
+    fn wanted() -> Wanted {
+        let gold = metal_by_name("gold").unwrap();
+        let space = RgbSpace::LinRec709;
+        Wanted {
+            model: FresnelModel::Schlick { r: gold.r(space) },
+            space,
+            roughness: 0.0,
+            metal: Some(gold),
+            light: Light::SoftBoxes,
+            size: 64,
+        }
+    }
+
+    #[test]
+    fn the_finished_picture_has_no_error_and_the_quickest_has_the_most() {
+        let rungs = measure(&wanted(), &mut |_| ControlFlow::Continue(()));
+        assert_eq!(rungs.iter().map(|rung| rung.quality).collect::<Vec<_>>(), Quality::LADDER);
+        assert_eq!((rungs[0].mean_delta_e, rungs[0].max_delta_e), (0.0, 0.0));
+        assert!(rungs[5].mean_delta_e > rungs[1].mean_delta_e && rungs[5].max_delta_e > 1.0, "{rungs:?}");
+        assert!(rungs[2..].iter().all(|rung| rung.mean_delta_e > 0.0), "{rungs:?}");
+    }
+
+    #[test]
+    fn a_larger_budget_never_makes_a_picture_worse() {
+        let full = Took { truth_ms: 8.0, picture_ms: 20.0 };
+        let at = |budget_ms, needs_truth| within(budget_ms, needs_truth, full, &[]);
+        let place = |quality: Quality| Quality::LADDER.into_iter().position(|own| own == quality).unwrap();
+        for needs_truth in [false, true] {
+            let places: Vec<usize> = (1..60).map(|ms| place(at(f64::from(ms), needs_truth))).collect();
+            assert!(places.is_sorted_by(|a, b| a >= b), "{places:?}");
+        }
+        assert_eq!(at(28.0, true), Quality::FULL);
+        assert_eq!(at(21.0, true), Quality { coarseness: 1, wavelengths: Some(31) });
+        assert_eq!(at(6.0, false), Quality { coarseness: 2, wavelengths: Some(31) });
+        assert_eq!(at(0.0, false), Quality::LADDER[5]);
+        // What was measured counts before what is expected.
+        let slow = Rung {
+            quality: Quality::FULL,
+            took: Took { truth_ms: 0.0, picture_ms: 90.0 },
+            mean_delta_e: 0.0,
+            max_delta_e: 0.0,
+        };
+        assert_ne!(within(28.0, true, full, &[slow]), Quality::FULL);
+    }
+}
