@@ -114,6 +114,40 @@ fn frame_while_dragging_a_cross(bencher: Bencher) {
     drag(bencher, &mut harness, cross);
 }
 
+/// A window on the page of plans, with every metal of the library in the list.
+fn planner() -> Harness<'static, App> {
+    let mut harness = window();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num4);
+    harness.step();
+    harness.get_by_label("Add all metals").click();
+    settle(&mut harness);
+    harness
+}
+
+/// Nothing changes on the page of plans.
+#[divan::bench]
+fn frame_of_a_plan_at_rest(bencher: Bencher) {
+    let mut harness = planner();
+    bencher.bench_local(|| harness.step());
+}
+
+/// The hand moves the tolerance: every frame asks for another plan.
+#[divan::bench]
+fn frame_while_dragging_a_tolerance(bencher: Bencher) {
+    let mut harness = planner();
+    let slider = harness.get_by_role_and_label(Role::Slider, "Tolerance").rect();
+    drag(bencher, &mut harness, slider);
+}
+
+/// Nothing changes on the chart of cost against accuracy.
+#[divan::bench]
+fn frame_of_a_trade_chart_at_rest(bencher: Bencher) {
+    let mut harness = planner();
+    harness.get_by_label("Trade").click();
+    settle(&mut harness);
+    bencher.bench_local(|| harness.step());
+}
+
 /// Drags back and forth from the middle of a place.
 fn drag(bencher: Bencher, harness: &mut Harness<'static, App>, place: eframe::egui::Rect) {
     harness.drag_at(place.center());

@@ -6,6 +6,7 @@ use eframe::egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, 
 
 use super::demonstrations::{Choice, Piece, Slot};
 use super::export::Writing;
+use super::planner::PlanAction;
 use super::recovery::LeftBehind;
 use super::sheet::SheetKind;
 use super::state::{Page, State};
@@ -64,6 +65,8 @@ pub enum Command {
     ShowMetals,
     /// Shows the page of demonstrations.
     ShowDemonstrations,
+    /// Shows the page of plans.
+    ShowPlanner,
     /// Shows the page of the library.
     ShowLibrary,
     /// Chooses the measured metal to compare with.
@@ -89,7 +92,7 @@ type Menu = (&'static str, &'static [&'static [Command]]);
 
 impl Command {
     /// Every command, in menu order.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 34] = [
         Self::New,
         Self::Open,
         Self::OpenPath,
@@ -114,6 +117,7 @@ impl Command {
         Self::ShowPhotograph,
         Self::ShowMetals,
         Self::ShowDemonstrations,
+        Self::ShowPlanner,
         Self::ShowLibrary,
         Self::Compare,
         Self::CompareNone,
@@ -154,6 +158,7 @@ impl Command {
                     Self::ShowPhotograph,
                     Self::ShowMetals,
                     Self::ShowDemonstrations,
+                    Self::ShowPlanner,
                     Self::ShowLibrary,
                 ],
                 &[Self::Compare, Self::CompareNone],
@@ -191,6 +196,7 @@ impl Command {
             Self::ShowPhotograph => "Photograph page",
             Self::ShowMetals => "Metals page",
             Self::ShowDemonstrations => "Demonstrations page",
+            Self::ShowPlanner => "Planner page",
             Self::ShowLibrary => "Library page",
             Self::Compare => "Compare with metal…",
             Self::CompareNone => "Compare with nothing",
@@ -230,6 +236,7 @@ impl Command {
             Self::ShowPhotograph => "Mark a photograph, and hold it against the rendered match",
             Self::ShowMetals => "Look at measured metals and how far models are from them",
             Self::ShowDemonstrations => "See why r and h, on your own preset or metal",
+            Self::ShowPlanner => "Find the cheapest model for each material of a scene",
             Self::ShowLibrary => "Look through a folder of presets",
             Self::Compare => "Draw the measured truth of a metal beneath the preset",
             Self::CompareNone => "Draw the preset alone",
@@ -264,6 +271,7 @@ impl Command {
             Self::ShowPhotograph => (Modifiers::COMMAND, Key::P),
             Self::ShowMetals => (Modifiers::COMMAND, Key::Num2),
             Self::ShowDemonstrations => (Modifiers::COMMAND, Key::Num3),
+            Self::ShowPlanner => (Modifiers::COMMAND, Key::Num4),
             Self::ShowLibrary => (Modifiers::COMMAND, Key::Num5),
             Self::Compare => (Modifiers::COMMAND, Key::M),
             Self::ToggleGrazing => (Modifiers::COMMAND, Key::G),
@@ -313,6 +321,7 @@ impl Command {
             Page::Photograph => Self::ShowPhotograph,
             Page::Metals => Self::ShowMetals,
             Page::Demonstrations => Self::ShowDemonstrations,
+            Page::Planner => Self::ShowPlanner,
             Page::Library => Self::ShowLibrary,
         }
     }
@@ -368,6 +377,8 @@ pub(crate) enum Action {
     SavePiece(Piece),
     /// Writes it.
     SavePieceTo(Piece, PathBuf),
+    /// Plans for the materials of a scene.
+    Plan(PlanAction),
     /// Asks which metal the reference ball is of.
     ChooseReferenceMetal,
     /// Says which metal the reference ball is of.

@@ -10,6 +10,7 @@ use eframe::egui::Context;
 
 use super::demonstrations::Piece;
 use super::job::{Job, Poll};
+use super::planner::PlanFile;
 use super::sheet::SheetKind;
 use crate::export::Target;
 
@@ -22,6 +23,8 @@ pub(crate) enum Purpose {
     Save,
     /// Where to write a piece of a demonstration.
     SavePiece(Piece),
+    /// A file of the page of plans.
+    Plan(PlanFile),
     /// A folder of presets.
     Library,
     /// What another program wrote.
@@ -68,6 +71,7 @@ impl FileDialog {
             ),
             Purpose::Export(target) => save_dialog(target.label(), target.extension(), file_name),
             Purpose::Save => save_dialog("Edgewise preset", "json", file_name),
+            Purpose::Plan(file) => plan_dialog(file, file_name),
             Purpose::SavePiece(piece) => save_dialog("Demonstration", piece.extension(), file_name),
             Purpose::SaveSheet(kind) => {
                 let dialog = rfd::AsyncFileDialog::new().set_file_name(file_name);
@@ -106,6 +110,16 @@ type Choice = std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + S
 fn save_dialog(what: &str, extension: &str, file_name: &str) -> Choice {
     let dialog = rfd::AsyncFileDialog::new().add_filter(what, &[extension]).set_file_name(file_name);
     Box::pin(dialog.save_file())
+}
+
+fn plan_dialog(file: PlanFile, file_name: &str) -> Choice {
+    let (what, endings) = file.kind();
+    let dialog = rfd::AsyncFileDialog::new().add_filter(what, endings);
+    match file.file_name() {
+        _ if matches!(file, PlanFile::Export(_)) => Box::pin(rfd::AsyncFileDialog::new().pick_folder()),
+        Some(_) => Box::pin(dialog.set_file_name(file_name).save_file()),
+        None => Box::pin(dialog.add_filter("All files", &["*"]).pick_file()),
+    }
 }
 
 fn dialog() -> rfd::AsyncFileDialog {

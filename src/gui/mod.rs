@@ -18,6 +18,7 @@ mod library;
 mod metals;
 mod panels;
 mod photograph;
+mod planner;
 mod preview;
 mod prompt;
 mod recovery;

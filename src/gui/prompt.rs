@@ -8,6 +8,7 @@ use super::command::{Action, Command};
 use super::demonstrations::{Choice, Slot};
 use super::export::Writing;
 use super::file_dialog::Purpose;
+use super::planner::{PlanAction, PlanMaterial};
 use super::recovery::LeftBehind;
 use super::state::State;
 use super::theme;
@@ -66,6 +67,10 @@ pub(crate) enum Among {
     MetalsToCompare,
     /// Materials for a demonstration.
     Materials(Slot),
+    /// Materials for a plan.
+    PlanMaterials,
+    /// Metals for the chart of cost against accuracy.
+    TradeMetals,
     /// Metals that a reference ball may be of.
     ReferenceMetals,
 }
@@ -158,6 +163,7 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
         Purpose::Open => ("Open a preset or a photograph".to_owned(), "Open"),
         Purpose::Save => ("Save the preset".to_owned(), "Save"),
         Purpose::SavePiece(_) => ("Export the demonstration".to_owned(), "Export"),
+        Purpose::Plan(file) => (file.question().to_owned(), file.verb()),
         Purpose::Library => ("Show a folder of presets".to_owned(), "Show"),
         Purpose::Import => ("Import what another program wrote".to_owned(), "Import"),
         Purpose::Export(target) => (target.label().to_owned(), "Export"),
@@ -183,6 +189,7 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
                 Purpose::Open => Action::Load(path),
                 Purpose::Save => Action::SaveTo(path),
                 Purpose::SavePiece(piece) => Action::SavePieceTo(piece, path),
+                Purpose::Plan(file) => Action::Plan(PlanAction::Take(file, path)),
                 Purpose::Library => Action::OpenLibrary(path),
                 Purpose::Import => Action::Import(path),
                 // An export has a field for the path in its own dialog.
@@ -250,6 +257,8 @@ fn find(ui: &mut Ui, state: &State, among: Among, text: &mut String, chosen: &mu
         Among::MetalsToStartFrom => "Start from a metal",
         Among::MetalsToCompare => "Compare with a metal",
         Among::Materials(_) => "Choose a material",
+        Among::PlanMaterials => "Add a material to the plan",
+        Among::TradeMetals => "Metal of the chart",
         Among::ReferenceMetals => "Metal of the reference ball",
     };
     let step = ui.input_mut(|input| {
@@ -290,6 +299,8 @@ enum Entry {
     Metal(usize),
     /// A material of a demonstration that the library does not have.
     Material(Slot, Choice),
+    /// A metal of a person's own.
+    Own(&'static Metal),
 }
 
 impl Entry {
@@ -299,9 +310,13 @@ impl Entry {
             (Self::Sample(sample), _) => Action::OpenSample(sample),
             (Self::Metal(index), Among::MetalsToCompare) => Action::CompareWith(&metals()[*index]),
             (Self::Metal(index), Among::Materials(slot)) => Action::Demonstrate(slot, Choice::Metal(&metals()[*index])),
+            (Self::Metal(index), Among::PlanMaterials) => plan_for(&metals()[*index]),
+            (Self::Metal(index), Among::TradeMetals) => Action::Plan(PlanAction::Trade(&metals()[*index])),
             (Self::Metal(index), Among::ReferenceMetals) => Action::SetReferenceMetal(&metals()[*index]),
             (Self::Metal(index), _) => Action::StartFrom(&metals()[*index]),
             (Self::Material(slot, choice), _) => Action::Demonstrate(*slot, *choice),
+            (Self::Own(metal), Among::TradeMetals) => Action::Plan(PlanAction::Trade(metal)),
+            (Self::Own(metal), _) => plan_for(metal),
         }
     }
 
@@ -322,6 +337,10 @@ impl Entry {
                 let button = row(choice.label(state), String::new());
                 let button = button.min_size([ui.available_width(), 0.0].into());
                 ui.add(button).on_hover_text(choice.tooltip())
+            }
+            Self::Own(metal) => {
+                let button = row(metal.name.clone(), "your own n and k".to_owned());
+                ui.add(button.min_size([ui.available_width(), 0.0].into()))
             }
             Self::Metal(index) => {
                 let space = state.document.space();
@@ -359,8 +378,22 @@ fn found(state: &State, among: Among, text: &str) -> Vec<Entry> {
     let metals = found.into_iter().map(Entry::Metal);
     match among {
         Among::Materials(slot) => others(state, slot, &typed).into_iter().chain(metals).collect(),
+        Among::PlanMaterials | Among::TradeMetals => own_metals(state, &typed).chain(metals).collect(),
         _ => metals.collect(),
     }
+}
+
+fn own_metals<'a>(state: &'a State, typed: &'a str) -> impl Iterator<Item = Entry> + 'a {
+    state
+        .metals
+        .own
+        .iter()
+        .filter(move |metal| metal.name.to_lowercase().contains(typed))
+        .map(|&metal| Entry::Own(metal))
+}
+
+fn plan_for(metal: &'static Metal) -> Action {
+    Action::Plan(PlanAction::Add(PlanMaterial::Metal(metal)))
 }
 
 /// The materials of a demonstration that are no metals of the library, and match what is typed.

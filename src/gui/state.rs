@@ -8,6 +8,7 @@ use super::document::Document;
 use super::library::LibraryPage;
 use super::metals::{MetalsPage, MetalsView};
 use super::photograph::Session;
+use super::planner::PlannerPage;
 use super::spheres::Spheres;
 use super::truth::TruthCurves;
 use crate::metal::Metal;
@@ -25,6 +26,7 @@ pub struct State {
     pub(crate) view: View,
     pub(crate) metals: MetalsPage,
     pub(crate) demonstrations: DemonstrationsPage,
+    pub(crate) planner: PlannerPage,
     pub(crate) library: LibraryPage,
     pub(crate) photograph: Option<Session>,
     /// What is typed in the field for the path of a photograph.
@@ -43,6 +45,7 @@ impl State {
             view: View::default(),
             metals: MetalsPage::default(),
             demonstrations: DemonstrationsPage::default(),
+            planner: PlannerPage::default(),
             library: LibraryPage::default(),
             photograph: None,
             path: String::new(),
@@ -98,13 +101,16 @@ pub enum Page {
     Metals,
     /// Why r and h: the paper's argument on a person's own metal.
     Demonstrations,
+    /// What a scene requires, and cost against accuracy.
+    Planner,
     /// A folder of presets.
     Library,
 }
 
 impl Page {
     /// Every page, in the order of the tabs.
-    pub const ALL: [Self; 5] = [Self::Author, Self::Photograph, Self::Metals, Self::Demonstrations, Self::Library];
+    pub const ALL: [Self; 6] =
+        [Self::Author, Self::Photograph, Self::Metals, Self::Demonstrations, Self::Planner, Self::Library];
 
     /// The name on its tab.
     pub const fn label(self) -> &'static str {
@@ -113,6 +119,7 @@ impl Page {
             Self::Photograph => "Photograph",
             Self::Metals => "Metals",
             Self::Demonstrations => "Demonstrations",
+            Self::Planner => "Planner",
             Self::Library => "Library",
         }
     }

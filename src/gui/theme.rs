@@ -142,6 +142,21 @@ pub(crate) const CROSS: f32 = 9.0;
 /// Width of the fields beside the square of r and h.
 pub(crate) const READ_OUT_WIDTH: f32 = 316.0;
 
+/// Height of a material of a plan.
+pub(crate) const PLAN_ROW: f32 = 50.0;
+/// Width of its strip of colours.
+pub(crate) const PLAN_STRIP: f32 = 132.0;
+/// Room for the model that was chosen, its error, and its cost.
+pub(crate) const PLAN_COLUMNS: [f32; 3] = [236.0, 104.0, 112.0];
+/// Room for the table of everything that was looked at.
+pub(crate) const JUDGEMENTS: f32 = 440.0;
+/// Room for an error, operations, bytes and a verdict in it.
+pub(crate) const JUDGEMENT_COLUMNS: [f32; 4] = [62.0, 62.0, 56.0, 52.0];
+/// Height of its rows.
+pub(crate) const JUDGEMENT_ROW: f32 = 17.0;
+/// Least height of what is said of one material.
+pub(crate) const PLAN_DETAIL: f32 = 268.0;
+
 /// The colours that egui's own visuals have no place for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palette {

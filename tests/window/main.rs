@@ -11,6 +11,7 @@ mod light_modes;
 mod metals;
 mod photograph;
 mod pictures;
+mod planner;
 mod recovery;
 #[path = "../studio/mod.rs"]
 mod studio;

@@ -122,3 +122,12 @@ fn the_page_of_demonstrations() {
     window.click("Blending: Can a painted mask be filtered?");
     window.picture("demonstrations");
 }
+
+#[test]
+fn the_page_of_plans() {
+    let mut window = Window::for_picture(Theme::Dark);
+    window.press(Modifiers::COMMAND, Key::Num4);
+    window.picture("planner");
+    window.click("Trade");
+    window.picture("planner_trade");
+}

@@ -68,6 +68,7 @@ impl App {
             Action::Demonstrate(slot, choice) => self.state.demonstrations.choose(slot, choice),
             Action::SavePiece(piece) => self.ask_system(ctx, Purpose::SavePiece(piece)),
             Action::SavePieceTo(piece, path) => self.save_piece(ctx, piece, path),
+            Action::Plan(action) => self.plan(ctx, action),
         }
     }
 
@@ -112,6 +113,7 @@ impl App {
             Command::ShowAuthor => self.state.page = Page::Author,
             Command::ShowMetals => self.state.page = Page::Metals,
             Command::ShowDemonstrations => self.state.page = Page::Demonstrations,
+            Command::ShowPlanner => self.state.page = Page::Planner,
             Command::ShowLibrary => self.state.page = Page::Library,
             Command::Compare => self.prompt = Some(Prompt::find(Among::MetalsToCompare)),
             Command::CompareNone => self.state.view.metal = None,

@@ -28,6 +28,7 @@ impl App {
             }
             Page::Metals => panels::metals::show(ui, &mut self.state, actions),
             Page::Demonstrations => panels::demonstrations::show(ui, &mut self.state, actions),
+            Page::Planner => panels::planner::show(ui, &mut self.state, actions),
             Page::Library => panels::library::show(ui, &mut self.state, actions),
         }
     }

@@ -4,6 +4,7 @@ mod actions;
 mod exporting;
 mod files;
 mod layout;
+mod planning;
 mod questions;
 mod unsaved;
 
@@ -109,6 +110,8 @@ impl App {
             state.demonstrations.is_writing(),
             state.page == Page::Demonstrations && state.demonstrations.is_computing(),
             state.page == Page::Library && state.library.is_busy(),
+            state.planner.is_at_files(),
+            state.page == Page::Planner && state.planner.is_computing(),
             state.is_refining(),
         ]
         .contains(&true)
@@ -125,6 +128,7 @@ impl App {
         self.poll_loading();
         self.poll_reading();
         self.poll_adding();
+        self.state.planner.poll();
         for failure in self.state.demonstrations.poll_exports() {
             self.state.notify(NoticeKind::Error, failure);
         }

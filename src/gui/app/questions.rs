@@ -21,6 +21,7 @@ impl App {
     pub(super) fn file_name(&self, ctx: &Context, purpose: Purpose) -> String {
         match purpose {
             Purpose::SavePiece(piece) => self.state.demonstrations.exhibit(self.state.open()).file_name(piece),
+            Purpose::Plan(file) => file.file_name().unwrap_or_default().to_owned(),
             Purpose::SaveSheet(kind) => Sheet::of(&self.state.metals, kind, figure_theme(ctx)).file_name(),
             _ => format!("{}.json", self.state.document.preset.file_stem()),
         }
@@ -29,7 +30,9 @@ impl App {
     pub(super) fn ask_path(&mut self, ctx: &Context, purpose: Purpose, reason: Option<&'static str>) {
         let text = match (purpose, self.state.document.file()) {
             (Purpose::Save, Some(path)) => path.display().to_string(),
-            (Purpose::Save | Purpose::SavePiece(_) | Purpose::SaveSheet(_), _) => self.file_name(ctx, purpose),
+            (Purpose::Save | Purpose::SavePiece(_) | Purpose::Plan(_) | Purpose::SaveSheet(_), _) => {
+                self.file_name(ctx, purpose)
+            }
             (Purpose::Open | Purpose::Import | Purpose::Library | Purpose::Export(_), _) => String::new(),
         };
         self.prompt = Some(Prompt::Path { purpose, text, reason });
@@ -48,6 +51,7 @@ impl App {
                 Purpose::Open => self.perform(ctx, Action::Load(path)),
                 Purpose::Save => self.save(ctx, path),
                 Purpose::SavePiece(piece) => self.save_piece(ctx, piece, path),
+                Purpose::Plan(file) => self.state.planner.take(ctx, file, path),
                 Purpose::Library => self.apply(ctx, Action::OpenLibrary(path)),
                 Purpose::Import => self.import(ctx, path),
                 Purpose::Export(_) => {}

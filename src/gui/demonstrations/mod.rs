@@ -13,7 +13,7 @@ use eframe::egui::{Context, TextureHandle, TextureOptions};
 pub(crate) use self::band::Band;
 pub(crate) use self::exhibit::{Exhibit, Piece};
 use self::exhibit::{OfConversion, OfDecoupling, OfMatrix, OfPair};
-use self::latest::Latest;
+pub(crate) use self::latest::Latest;
 pub(crate) use self::material::{Choice, Described, Material, Slot};
 pub(crate) use self::shown::{
     ShownBlend, ShownBlends, ShownConversion, ShownConversions, ShownDecoupling, ShownQuantisation, ShownSquare,

@@ -8,6 +8,7 @@ pub(crate) mod menu_bar;
 pub(crate) mod metals;
 pub(crate) mod notices;
 pub(crate) mod photograph;
+pub(crate) mod planner;
 pub(crate) mod preview;
 pub(crate) mod spheres;
 pub(crate) mod status_bar;

@@ -99,7 +99,7 @@ impl DotsRow<'_> {
 }
 
 /// The dot nearest to the pointer, if one is near.
-pub(super) fn nearest(dots: &[Pos2], pointer: Pos2) -> Option<usize> {
+pub(in crate::gui::panels) fn nearest(dots: &[Pos2], pointer: Pos2) -> Option<usize> {
     let distance = |index: &usize| dots[*index].distance(pointer);
     let nearest = (0..dots.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     (distance(&nearest) <= theme::DOT_REACH).then_some(nearest)

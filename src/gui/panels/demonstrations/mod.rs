@@ -5,11 +5,11 @@ mod chart;
 mod choices;
 mod conversion;
 mod decoupling;
-mod dots;
+pub(super) mod dots;
 mod feasibility;
 mod matrix;
 mod quantisation;
-mod row;
+pub(super) mod row;
 mod square;
 mod uniformity;
 
@@ -73,7 +73,7 @@ fn told<'a, T>(ui: &mut Ui, told: Option<&'a Told<T>>, progress: Option<f32>) ->
 }
 
 /// What is seen, and what has to be known about it.
-fn sentence(ui: &mut Ui, text: &str, notes: &[String]) {
+pub(super) fn sentence(ui: &mut Ui, text: &str, notes: &[String]) {
     // “n, k” is one name.
     ui.add(Label::new(theme::sentence(text.replace("n, k", "n,\u{a0}k"))).wrap());
     if !notes.is_empty() {
@@ -85,7 +85,7 @@ fn sentence(ui: &mut Ui, text: &str, notes: &[String]) {
 }
 
 /// A ΔE with as many digits as say something.
-fn delta_e_text(value: f64) -> String {
+pub(super) fn delta_e_text(value: f64) -> String {
     match value {
         v if v.is_nan() => "–".to_owned(),
         v if v < 1e-6 => "0".to_owned(),

@@ -61,7 +61,7 @@ pub(super) fn ink(ui: &Ui, parameters: Parameters) -> Color32 {
 }
 
 /// Colours over a rectangle, the mark of clipping in its corner.
-pub(super) fn paint(ui: &Ui, rect: Rect, band: &Band, is_stepped: bool) {
+pub(in crate::gui::panels) fn paint(ui: &Ui, rect: Rect, band: &Band, is_stepped: bool) {
     let mesh = if is_stepped { boxes(rect, &band.colours) } else { gradient(rect, &band.colours) };
     ui.painter().add(mesh);
     if band.is_clipped {
@@ -154,11 +154,11 @@ pub(super) fn pointer(painter: &Painter, tip: eframe::egui::Pos2, colour: Color3
 }
 
 /// The font of names and numbers.
-pub(super) fn body(ui: &Ui) -> FontId {
+pub(in crate::gui::panels) fn body(ui: &Ui) -> FontId {
     TextStyle::Body.resolve(ui.style())
 }
 
 /// The font of ticks and notes.
-pub(super) fn small(ui: &Ui) -> FontId {
+pub(in crate::gui::panels) fn small(ui: &Ui) -> FontId {
     TextStyle::Small.resolve(ui.style())
 }
