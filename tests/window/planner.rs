@@ -262,3 +262,16 @@ fn the_chart_is_the_studys_and_is_saved() {
     let zinc = [Subject::Metal(metal_by_name("zinc").unwrap())];
     assert!(window.shows(&trade_summary(&trade(&zinc, &options, &no_progress).unwrap(), &options)));
 }
+
+#[test]
+fn times_of_this_machine_are_measured_and_count() {
+    let mut window = open();
+    window.click("What is spared");
+    window.click(Target::Offline.label());
+    assert!(window.shows("No times were measured") && !window.shows(" ns for each pixel"));
+    window.click("Measure times");
+    assert!(window.shows("Times were measured on this machine") && window.shows(" ns for each pixel"));
+    window.click("Trade");
+    window.click("Measured time");
+    assert!(window.shows("ΔE by nanoseconds"));
+}

@@ -27,7 +27,7 @@ use crate::export;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
 use crate::preset::Preset;
 use crate::scene::{Shape, Target, Tolerance};
-use crate::study::Costs;
+use crate::study::{Costs, measured_costs};
 
 /// What a person asks of the page.
 #[derive(Clone, Debug)]
@@ -163,9 +163,6 @@ impl Default for PlannerPage {
     }
 }
 
-/// Measures the times of all variants on this machine; `None` where nothing can.
-pub(crate) const MEASURE_TIMES: Option<fn(&super::job::Progress) -> Told<Costs>> = None;
-
 /// What a new window plans for: where a metal is seen decides as much as which it is.
 const TELLING: [(&str, Shape); 4] = [
     ("Gold", Shape::Card { from_deg: 0.0, to_deg: 60.0 }),
@@ -260,8 +257,10 @@ impl PlannerPage {
 
     /// Measures what the variants take on this machine.
     pub(crate) fn measure_times(&mut self, ctx: &Context) {
-        let Some(measure) = MEASURE_TIMES else { return };
-        match Job::start(ctx, "measure times", (), move |(), progress| measure(progress)) {
+        let job = Job::start(ctx, "measure times", (), |(), progress| {
+            measured_costs(&|share| progress.report(share)).map_err(|error| error.to_string())
+        });
+        match job {
             Ok(job) => self.measuring = Some(job),
             Err(error) => self.said = Some(Err(format!("no thread could be started: {error}"))),
         }

@@ -7,7 +7,7 @@ use crate::color::RgbSpace;
 use crate::export::Target;
 use crate::figure::FigureFormat;
 use crate::gui::command::Action;
-use crate::gui::planner::{Apart, MEASURE_TIMES, PlanAction, PlanFile, PlannerPage, PlannerView, TradeOf};
+use crate::gui::planner::{Apart, PlanAction, PlanFile, PlannerPage, PlannerView, TradeOf};
 use crate::gui::state::State;
 use crate::gui::theme::{self, Palette};
 use crate::gui::widgets::{NumberField, row_label};
@@ -124,24 +124,23 @@ fn allowed(ui: &mut Ui, page: &mut PlannerPage) {
     });
     space(ui, page);
     if page.target == Spared::Offline {
-        times(ui, page);
+        times(ui, page, ", so that operations are compared");
     }
 }
 
-/// What is known of times, and a way to know more.
-fn times(ui: &mut Ui, page: &mut PlannerPage) {
+/// What is known of times, what follows where nothing is, and a way to know more.
+fn times(ui: &mut Ui, page: &mut PlannerPage, otherwise: &str) {
     if let Some(share) = page.times_progress() {
         ui.add(ProgressBar::new(share).text("Measuring"));
         return;
     }
     let words = match page.costs().has_times() {
-        true => "Times were measured on this machine",
-        false => "No times were measured on this machine, so that operations are compared",
+        true => "Times were measured on this machine".to_owned(),
+        false => format!("No times were measured on this machine{otherwise}"),
     };
     ui.add(Label::new(theme::hint(words)).wrap());
-    let measure = MEASURE_TIMES.is_some().then(|| ui.button("Measure times"));
     let what = "Measure what every variant takes on this machine, which takes a moment";
-    if measure.is_some_and(|button| button.on_hover_text(what).clicked()) {
+    if ui.button("Measure times").on_hover_text(what).clicked() {
         page.measure_times(ui.ctx());
     }
 }
@@ -192,9 +191,6 @@ fn traded(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
             }
         });
     });
-    if MEASURE_TIMES.is_some() {
-        times(ui, page);
-    }
     ui.horizontal(|ui| {
         row_label(ui, "ΔE2000");
         for (measure, name, _) in MEASURES {
@@ -202,6 +198,7 @@ fn traded(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
         }
     });
     space(ui, page);
+    times(ui, page, "");
 }
 
 /// The costs, with short names.
