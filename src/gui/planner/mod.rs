@@ -111,7 +111,7 @@ pub(crate) struct PlannerPage {
     /// The chart.
     pub trading: Trading,
     costs: Costs,
-    curves: Latest<(Vec<u64>, Vec<Resolved>, RgbSpace), Told<Arc<ListCurves>>>,
+    curves: Latest<ListAsked, Told<Arc<ListCurves>>>,
     passes: Latest<PassFiles, Told<Arc<ReadPass>>>,
     seen: Latest<(Vec<u64>, Seeing), Told<Arc<SeenScene>>>,
     plans: Latest<PlanAsked, Told<Arc<Planned>>>,
@@ -123,6 +123,9 @@ pub(crate) struct PlannerPage {
     /// What came of the last file.
     pub said: Option<Told<String>>,
 }
+
+/// The materials of the list by their keys and as they are read, in a space.
+type ListAsked = (Vec<u64>, Vec<Resolved>, RgbSpace);
 
 impl Default for PlannerPage {
     fn default() -> Self {
