@@ -228,19 +228,19 @@ impl Matched {
     }
 
     fn outline_sentence(&self) -> String {
-        let (body, radius, uncertainty_px, support) = match (&self.fitted.ball, &self.fitted.cylinder) {
+        let (body, radius, plus_minus_px, support) = match (&self.fitted.ball, &self.fitted.cylinder) {
             (Some(ball), _) => {
-                (format!("circle {}", ball.circle), ball.circle.radius, ball.uncertainty_px, ball.support)
+                (format!("circle {}", ball.circle), ball.circle.radius, ball.plus_minus_px(), ball.support)
             }
             (None, Some(found)) => {
-                let (cylinder, uncertainty_px) = (found.cylinder, found.uncertainty_px);
-                (format!("cylinder {cylinder}"), cylinder.radius, uncertainty_px, found.support)
+                let (cylinder, plus_minus_px) = (found.cylinder, found.plus_minus_px());
+                (format!("cylinder {cylinder}"), cylinder.radius, plus_minus_px, found.support)
             }
             (None, None) => return String::new(),
         };
         let share = 100.0 * support;
         format!(
-            "\nFitted: {body}; radius {radius:.2} ± {uncertainty_px:.2} pixels, {share:.0} % of its edge was seen\n"
+            "\nFitted: {body}; radius {radius:.2} ± {plus_minus_px:.2} pixels, {share:.0} % of its edge was seen\n"
         )
     }
 

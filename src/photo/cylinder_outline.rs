@@ -2,13 +2,18 @@
 //!
 //! Across a roughly placed axis the steepest steps of brightness on both sides are candidates; two parallel
 //! lines through three of them that most others agree with are refined by robust least squares. What widens
-//! along the axis says whether the edges converge.
+//! along the axis says whether the edges converge. In the end the brightness across the edges is fitted, as that of a
+//! ball is ([`super::rim`]).
 
 use nalgebra::{SMatrix, SVector};
 use serde::Serialize;
 
-use super::outline::{INLIER_PX, INLIER_SHARE, LEAST_SUPPORT, Sequence, steepest_steps};
-use super::{Cylinder, OutlineError, Photo, Warning, WarningCode};
+use super::outline::{
+    FARTHEST_FROM_STEEPEST_PX, FIRST_BLUR_PX, INLIER_PX, INLIER_SHARE, LEAST_SUPPORT, RIM_ROUNDS,
+    STEEPEST_UNCERTAINTY_PX, Sequence, steepest_steps,
+};
+use super::rim::fit_rim;
+use super::{Body, Cylinder, OutlineError, Photo, Warning, WarningCode};
 
 /// A fitted outline of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -24,6 +29,11 @@ pub struct CylinderOutline {
 }
 
 impl CylinderOutline {
+    /// The ± of the radius: its expanded uncertainty with coverage factor 2, about 95 %.
+    pub fn plus_minus_px(&self) -> f64 {
+        2.0 * self.uncertainty_px
+    }
+
     /// Edges that converge: perspective, or no cylinder.
     pub fn warning(&self) -> Option<Warning> {
         /// What a camera held a little askew gives; the radius is then off by half of it at the ends.
@@ -44,9 +54,43 @@ const STATIONS: usize = 120;
 
 /// Snaps a roughly placed cylinder to the edges nearest to it: within a fifth of its radius.
 pub fn snap_cylinder(photo: &Photo, rough: Cylinder) -> Result<CylinderOutline, OutlineError> {
+    steepest_cylinder(photo, rough).map(|edges| on_the_rim(photo, edges))
+}
+
+/// The cylinder between the steepest steps nearest to a rough one: up to half a pixel inside the outline of a metal.
+pub(super) fn steepest_cylinder(photo: &Photo, rough: Cylinder) -> Result<CylinderOutline, OutlineError> {
     let first = fit_edges(&candidates(photo, rough, 0.2), rough).ok_or(OutlineError::NoCylinder)?;
     // Again across the axis that was found, where lines cross the edges at right angles.
     fit_edges(&candidates(photo, first.cylinder, 0.1), first.cylinder).ok_or(OutlineError::NoCylinder)
+}
+
+/// Moves the edges of steepest steps to where the metal ends.
+fn on_the_rim(photo: &Photo, steepest: CylinderOutline) -> CylinderOutline {
+    let rim = rim_of(photo, steepest.cylinder).filter(|(cylinder, _)| {
+        let moved = steepest.cylinder.corners().into_iter().zip(cylinder.corners());
+        moved.map(|([ax, ay], [bx, by])| (ax - bx).hypot(ay - by)).all(|moved| moved < FARTHEST_FROM_STEEPEST_PX)
+    });
+    match rim {
+        Some((cylinder, uncertainty_px)) => CylinderOutline { cylinder, uncertainty_px, ..steepest },
+        None => CylinderOutline { uncertainty_px: steepest.uncertainty_px.hypot(STEEPEST_UNCERTAINTY_PX), ..steepest },
+    }
+}
+
+/// The cylinder of the rims near another, and the uncertainty of its radius.
+fn rim_of(photo: &Photo, near: Cylinder) -> Option<(Cylinder, f64)> {
+    let (mut cylinder, mut blur_px, mut uncertainty_px) = (near, FIRST_BLUR_PX, f64::NAN);
+    for _ in 0..RIM_ROUNDS {
+        let outwards = |x: f64, y: f64| {
+            let ([ux, uy], [right, down]) = (cylinder.direction(), cylinder.offset(x, y));
+            let side = (ux * down - uy * right).signum();
+            [side, side * (cylinder.along(x, y) - 0.5)]
+        };
+        let rim = fit_rim(photo, Body::Cylinder(cylinder), blur_px, &outwards)?;
+        let [radius, offset, slope] = rim.change;
+        cylinder = beside(cylinder, Lines { offset, slope, radius: cylinder.radius + radius });
+        (blur_px, uncertainty_px) = (rim.blur_px, rim.uncertainty_px);
+    }
+    (cylinder.radius > 1.0).then_some((cylinder, uncertainty_px))
 }
 
 /// A step of brightness on a line across the axis.

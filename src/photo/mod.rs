@@ -23,6 +23,7 @@ mod preview;
 mod read;
 mod recipe;
 mod request;
+mod rim;
 mod rule;
 mod samples;
 mod solve;

@@ -2,7 +2,8 @@
 //!
 //! Along rays from a rough centre the steepest steps of brightness are candidates; a circle through
 //! three of them that most others agree with is refined by a robust geometric fit. What is left over
-//! twice around the circle says whether the outline is an ellipse.
+//! twice around the circle says whether the outline is an ellipse. The steepest step lies inside the
+//! outline of a metal, so that in the end the brightness across the edge is fitted ([`super::rim`]).
 
 use std::ops::Range;
 
@@ -10,7 +11,8 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
-use super::{Circle, Photo, Warning, WarningCode};
+use super::rim::fit_rim;
+use super::{Body, Circle, Photo, Warning, WarningCode};
 
 /// A fitted outline.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -26,6 +28,11 @@ pub struct Outline {
 }
 
 impl Outline {
+    /// The ± of the radius: its expanded uncertainty with coverage factor 2, about 95 %.
+    pub fn plus_minus_px(&self) -> f64 {
+        2.0 * self.uncertainty_px
+    }
+
     /// An outline longer one way than the other: perspective, or no ball.
     pub fn warning(&self) -> Option<Warning> {
         /// A wide-angle view of a ball reaches this some way off the axis.
@@ -65,10 +72,53 @@ pub(super) const LEAST_SUPPORT: f64 = 0.35;
 
 /// Snaps a roughly placed circle to the edge nearest to it: within a fifth of its radius.
 pub fn snap_circle(photo: &Photo, rough: Circle) -> Result<Outline, OutlineError> {
+    steepest_circle(photo, rough).map(|edge| on_the_rim(photo, edge))
+}
+
+/// The circle of the steepest steps nearest to a rough one: up to half a pixel inside the outline of a metal.
+pub(super) fn steepest_circle(photo: &Photo, rough: Circle) -> Result<Outline, OutlineError> {
     const REACH: f64 = 0.2;
     let first = fit_edges(&candidates(photo, rough, REACH), rough).ok_or(OutlineError::NoCircle)?;
     // Again from the found centre, where rays cross the edge at right angles.
     fit_edges(&candidates(photo, first.circle, 0.1), first.circle).ok_or(OutlineError::NoCircle)
+}
+
+/// How far the outline may lie from the steepest steps, in pixels; what is farther is the edge of something else.
+pub(super) const FARTHEST_FROM_STEEPEST_PX: f64 = 1.5;
+/// Standard uncertainty of a radius that rests on the steepest steps alone, in pixels.
+pub(super) const STEEPEST_UNCERTAINTY_PX: f64 = 0.5;
+/// The fit of a rim is repeated from where it has led: depths are counted from there.
+pub(super) const RIM_ROUNDS: usize = 2;
+/// The blur a fit of a rim starts with, in pixels.
+pub(super) const FIRST_BLUR_PX: f64 = 0.5;
+
+/// Moves a circle of steepest steps to where the metal ends.
+fn on_the_rim(photo: &Photo, steepest: Outline) -> Outline {
+    let rim = rim_of(photo, steepest.circle).filter(|(circle, _)| {
+        let Circle { x, y, radius } = steepest.circle;
+        let moved = (circle.radius - radius).abs() + (circle.x - x).hypot(circle.y - y);
+        moved < FARTHEST_FROM_STEEPEST_PX
+    });
+    match rim {
+        Some((circle, uncertainty_px)) => Outline { circle, uncertainty_px, ..steepest },
+        None => Outline { uncertainty_px: steepest.uncertainty_px.hypot(STEEPEST_UNCERTAINTY_PX), ..steepest },
+    }
+}
+
+/// The circle of the rim near another, and the uncertainty of its radius.
+fn rim_of(photo: &Photo, near: Circle) -> Option<(Circle, f64)> {
+    let (mut circle, mut blur_px, mut uncertainty_px) = (near, FIRST_BLUR_PX, f64::NAN);
+    for _ in 0..RIM_ROUNDS {
+        let outwards = |x: f64, y: f64| {
+            let (right, down) = (x - circle.x, y - circle.y);
+            [right / right.hypot(down), down / right.hypot(down)]
+        };
+        let rim = fit_rim(photo, Body::Ball(circle), blur_px, &outwards)?;
+        let [radius, x, y] = rim.change;
+        circle = Circle::new(circle.x + x, circle.y + y, circle.radius + radius);
+        (blur_px, uncertainty_px) = (rim.blur_px, rim.uncertainty_px);
+    }
+    (circle.radius > 1.0).then_some((circle, uncertainty_px))
 }
 
 /// A step of brightness on a ray.
@@ -277,12 +327,13 @@ pub fn find_ball(photo: &Photo) -> Result<Outline, OutlineError> {
 /// Finds the ball of a picture that is none of `others`: a reference ball is in the picture, too.
 pub fn find_ball_beside(photo: &Photo, others: &[Circle]) -> Result<Outline, OutlineError> {
     let small = Reduced::of(photo);
-    let snapped = small.round_shapes().into_iter().filter_map(|rough| snap_circle(photo, rough).ok());
+    let snapped = small.round_shapes().into_iter().filter_map(|rough| steepest_circle(photo, rough).ok());
     let is_other = |outline: &Outline| others.iter().any(|other| overlap(outline.circle, *other));
     let clear = snapped.filter(|outline| !is_other(outline)).map(|outline| (clearness(photo, outline.circle), outline));
     let score = |(clearness, outline): &(f64, Outline)| clearness * outline.circle.radius.sqrt();
     let balls = clear.filter(|(clearness, _)| *clearness >= LEAST_CLEARNESS);
-    balls.max_by(|a, b| score(a).total_cmp(&score(b))).map(|(_, outline)| outline).ok_or(OutlineError::NoBall)
+    let best = balls.max_by(|a, b| score(a).total_cmp(&score(b))).ok_or(OutlineError::NoBall)?;
+    Ok(on_the_rim(photo, best.1))
 }
 
 /// Less than this is what carvings, leaves and cloth give: below 0.1 on a bronze full of curls, above 0.5 on a mirror

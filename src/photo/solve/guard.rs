@@ -10,6 +10,8 @@ use super::view::View;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{CosTheta, gulbrandsen, reachable_h, reflectance_range};
 use crate::number::median;
+use crate::photo::cylinder_outline::steepest_cylinder;
+use crate::photo::outline::steepest_circle;
 use crate::photo::{
     Area, AreaStatistics, Body, LightMode, MatchRequest, Photo, Warning, WarningCode, snap_circle, snap_cylinder,
 };
@@ -76,19 +78,29 @@ const MISPLACED: (f64, f64) = (1.5, 0.01);
 /// What the edge in the picture says of the outline; nothing where no edge is clear.
 fn outline(photo: &Photo, request: &MatchRequest) -> Vec<Warning> {
     let found = request.body().and_then(|body| match body {
-        Body::Ball(circle) => snap_circle(photo, circle).ok().map(|found| (body, found.circle.radius, found.warning())),
+        Body::Ball(circle) => {
+            steepest_circle(photo, circle).ok().map(|found| (body, found.circle.radius, found.warning()))
+        }
         Body::Cylinder(cylinder) => {
-            snap_cylinder(photo, cylinder).ok().map(|found| (body, found.cylinder.radius, found.warning()))
+            steepest_cylinder(photo, cylinder).ok().map(|found| (body, found.cylinder.radius, found.warning()))
         }
     });
     let Some((body, better, warning)) = found else { return Vec::new() };
     let radius = body.radius();
     let misplaced = ((better - radius).abs() > MISPLACED.0 + MISPLACED.1 * radius).then(|| {
-        let noun = body.noun();
-        let message = format!("The {noun}'s radius is {radius:.1} pixels, but the edge is at {better:.1}: snap it.");
+        let (noun, edge) = (body.noun(), snapped_radius(photo, body).unwrap_or(better));
+        let message = format!("The {noun}'s radius is {radius:.1} pixels, but the edge is at {edge:.1}: snap it.");
         Warning::new(WarningCode::Geometry, message)
     });
     misplaced.into_iter().chain(warning).collect()
+}
+
+/// The radius a person would get by snapping.
+fn snapped_radius(photo: &Photo, body: Body) -> Option<f64> {
+    match body {
+        Body::Ball(circle) => snap_circle(photo, circle).ok().map(|found| found.circle.radius),
+        Body::Cylinder(cylinder) => snap_cylinder(photo, cylinder).ok().map(|found| found.cylinder.radius),
+    }
 }
 
 fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<Warning> {
