@@ -33,6 +33,7 @@ pub(super) fn warnings(
     warnings.extend(geometry(photo, request, regions));
     warnings.extend(outline(photo, request));
     warnings.extend(clipped(noun, &measured.counts, &areas));
+    warnings.extend(unusable(noun, measured, regions));
     warnings.extend(black(noun, &measured.counts, &areas));
     warnings.extend(two_colours(&areas));
     warnings.extend(small_ball(request));
@@ -142,6 +143,24 @@ fn clipped(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec
     in_areas.chain(in_bands).map(|place| Warning::new(WarningCode::Clipped, message(place))).collect()
 }
 
+/// A channel in which no pixel is left, for another reason than that all are clipped.
+fn unusable(noun: &str, measured: &Measured, regions: &Regions) -> Vec<Warning> {
+    let places = [("middle", &regions.inner), ("rim", &regions.outer)];
+    let mut warnings = Vec::new();
+    for (stratum, (place, region)) in places.into_iter().enumerate() {
+        for channel in 0..3 {
+            let is_empty = !measured.all[channel].iter().any(|cell| cell.stratum == stratum);
+            if region.is_some() && is_empty && !measured.counts.is_clipped(stratum, channel) {
+                let name = CHANNELS[channel];
+                let message =
+                    format!("No pixel in the {place} of the {noun} holds a number in the {name} channel: it has no value.");
+                warnings.push(Warning::new(WarningCode::NonFinite, message));
+            }
+        }
+    }
+    warnings
+}
+
 /// Signal below this many times its scatter is no measurement.
 const LEAST_SIGNAL_TO_NOISE: f64 = 5.0;
 
@@ -199,7 +218,9 @@ const MODEL_RESIDUAL: f64 = 0.01;
 fn uneven(request: &MatchRequest, measured: &Measured, outcome: &Match) -> Option<Warning> {
     let body = request.body()?;
     let change = (0..3).map(|i| azimuth_change(&measured.all[i], &measured.curve, i)).fold(0.0, f64::max);
-    let is_scattered = (0..3).any(|i| outcome.residual[i] > RESIDUAL_OVER_NOISE * outcome.noise[i].max(MODEL_RESIDUAL));
+    let is_scattered = outcome.residual.into_iter().zip(outcome.noise).any(|both| {
+        matches!(both, (Some(residual), Some(noise)) if residual > RESIDUAL_OVER_NOISE * noise.max(MODEL_RESIDUAL))
+    });
     let seen = if change > AZIMUTH_CHANGE {
         format!("the reflection changes by {:.0} % around the {}", change * 100.0, body.noun())
     } else if is_scattered {

@@ -35,10 +35,10 @@ pub struct Match {
     pub light: [Option<f64>; 3],
     /// What each card showed, linear Rec.709.
     pub cards: Vec<CardReading>,
-    /// Robust standard deviation of the averaged cells around the fit, as reflectance.
-    pub residual: [f64; 3],
-    /// Standard deviation of one pixel around the fit, as reflectance.
-    pub noise: [f64; 3],
+    /// Robust standard deviation of the averaged cells around the fit, as reflectance; `None` where nothing was fitted.
+    pub residual: [Option<f64>; 3],
+    /// Standard deviation of one pixel around the fit, as reflectance, likewise.
+    pub noise: [Option<f64>; 3],
     /// Pixels that were read, facing and grazing together.
     pub pixels: usize,
     /// Where the uncertainty of r and h comes from, linear Rec.709.
@@ -117,8 +117,8 @@ impl Match {
             is_estimate: uncertainty.is_estimate,
             light: light.value,
             cards: light.readings(),
-            residual: measured.curve.fits.each_ref().map(|fit| fit.scatter),
-            noise: uncertainty.noise,
+            residual: measured.curve.fits.each_ref().map(|fit| known(fit.scatter)),
+            noise: uncertainty.noise.map(known),
             pixels: measured.counts.pixels.iter().sum(),
             uncertainty: uncertainty.budget,
             request: request.clone(),
@@ -152,8 +152,8 @@ impl Match {
             is_estimate,
             light,
             cards: Vec::new(),
-            residual: [0.0; 3],
-            noise: [0.0; 3],
+            residual: [None; 3],
+            noise: [None; 3],
             pixels,
             uncertainty,
             request: request.clone(),
@@ -183,6 +183,11 @@ impl Match {
             is_estimate: self.is_estimate,
         }
     }
+}
+
+/// A number, if it is one: the scatter of no pixel is none.
+fn known(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
 }
 
 fn complete(values: [Option<f64>; 3]) -> Option<Rgb> {
