@@ -40,6 +40,35 @@ fn a_clipped_card_says_nothing_of_white() {
     assert_eq!((found.r, found.h), ([None; 3], [None; 3]));
 }
 
+/// Where no pixel is a number there is none of r and h, of noise or of what is left over either, and JSON says `null`.
+#[test]
+fn a_channel_without_a_usable_pixel_has_no_numbers() {
+    let studio = DEFAULT();
+    let photo = studio.photo();
+    let without = |radius: f64| {
+        let at = |x: u32, y: u32| {
+            let rho = studio.circle.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            let rgb = photo.pixel(x, y).unwrap().rgb.0.map(|value| value as f32);
+            if rho < radius { [f32::NAN; 3] } else { rgb }
+        };
+        let pixels = (0..256).flat_map(|y| (0..310).map(move |x| (x, y))).map(|(x, y)| at(x, y)).collect();
+        let photo = Photo::from_linear("holes", 310, 256, pixels);
+        solve(&photo, &studio.request(), RgbSpace::LinRec709).unwrap()
+    };
+    let is_said = |found: &edgewise::photo::Match, place: &str| {
+        found.warnings.iter().any(|warning| warning.message.contains(place) && warning.message.contains("no value"))
+    };
+    let found = without(1.1);
+    assert_eq!((found.r, found.h, found.noise, found.residual), ([None; 3], [None; 3], [None; 3], [None; 3]));
+    assert!(is_said(&found, "middle of the ball") && is_said(&found, "rim of the ball"), "{:?}", found.warnings);
+    let json = serde_json::to_value(&found).unwrap();
+    assert_eq!((&json["noise"][0], &json["residual"][2]), (&serde_json::Value::Null, &serde_json::Value::Null));
+    let found = without(0.7);
+    assert!(found.r == [None; 3] && found.h[1].is_some() && found.noise[1].is_some(), "{found:?}");
+    assert!(is_said(&found, "middle of the ball") && !is_said(&found, "rim of the ball"), "{:?}", found.warnings);
+    assert!(!is_said(&without(0.0), "ball"));
+}
+
 #[test]
 fn a_picture_drowned_in_noise_is_too_dark() {
     let dark = Camera { exposure: 0.01, noise: 0.03, ..DEFAULT().camera };

@@ -143,22 +143,18 @@ fn clipped(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec
     in_areas.chain(in_bands).map(|place| Warning::new(WarningCode::Clipped, message(place))).collect()
 }
 
-/// A channel in which no pixel is left, for another reason than that all are clipped.
+/// Channels in which no pixel is left, for another reason than that all are clipped.
 fn unusable(noun: &str, measured: &Measured, regions: &Regions) -> Vec<Warning> {
-    let places = [("middle", &regions.inner), ("rim", &regions.outer)];
-    let mut warnings = Vec::new();
-    for (stratum, (place, region)) in places.into_iter().enumerate() {
-        for channel in 0..3 {
-            let is_empty = !measured.all[channel].iter().any(|cell| cell.stratum == stratum);
-            if region.is_some() && is_empty && !measured.counts.is_clipped(stratum, channel) {
-                let name = CHANNELS[channel];
-                let message =
-                    format!("No pixel in the {place} of the {noun} holds a number in the {name} channel: it has no value.");
-                warnings.push(Warning::new(WarningCode::NonFinite, message));
-            }
-        }
-    }
-    warnings
+    let places = [(0, "middle", &regions.inner), (1, "rim", &regions.outer)];
+    let said = places.into_iter().filter(|(.., region)| region.is_some()).filter_map(|(stratum, place, _)| {
+        let has_cells = |i: usize| measured.all[i].iter().any(|cell| cell.stratum == stratum);
+        let empty = (0..3).filter(|&i| !has_cells(i) && !measured.counts.is_clipped(stratum, i));
+        let channels: Vec<&str> = empty.map(|i| CHANNELS[i]).collect();
+        (!channels.is_empty()).then(|| {
+            format!("No pixel in the {place} of the {noun} can be used ({}): there is no value.", channels.join(", "))
+        })
+    });
+    said.map(|message| Warning::new(WarningCode::NonFinite, message)).collect()
 }
 
 /// Signal below this many times its scatter is no measurement.
