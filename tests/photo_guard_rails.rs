@@ -56,7 +56,7 @@ fn a_channel_without_a_usable_pixel_has_no_numbers() {
         solve(&photo, &studio.request(), RgbSpace::LinRec709).unwrap()
     };
     let is_said = |found: &edgewise::photo::Match, place: &str| {
-        found.warnings.iter().any(|warning| warning.message.contains(place) && warning.message.contains("no value"))
+        found.warnings.iter().any(|warning| warning.message.contains(place) && warning.message.contains("nothing is measured"))
     };
     let found = without(1.1);
     assert_eq!((found.r, found.h, found.noise, found.residual), ([None; 3], [None; 3], [None; 3], [None; 3]));
@@ -64,7 +64,7 @@ fn a_channel_without_a_usable_pixel_has_no_numbers() {
     let json = serde_json::to_value(&found).unwrap();
     assert_eq!((&json["noise"][0], &json["residual"][2]), (&serde_json::Value::Null, &serde_json::Value::Null));
     let found = without(0.7);
-    assert!(found.r == [None; 3] && found.h[1].is_some() && found.noise[1].is_some(), "{found:?}");
+    assert!(found.h[1].is_some() && found.noise[1].is_some() && found.residual[1].is_some(), "{found:?}");
     assert!(is_said(&found, "middle of the ball") && !is_said(&found, "rim of the ball"), "{:?}", found.warnings);
     assert!(!is_said(&without(0.0), "ball"));
 }

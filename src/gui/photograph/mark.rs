@@ -3,13 +3,15 @@
 use super::grey_scale::{corners_of, patches};
 use super::shape::MarkShape;
 use crate::metal::metal_by_name;
-use crate::photo::{Area, Card, Circle, MatchRequest, MirrorPair, ReferenceBall};
+use crate::photo::{Area, Card, Circle, Cylinder, MatchRequest, MirrorPair, ReferenceBall};
 
 /// A mark of a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Mark {
     /// The outline of the ball.
     Ball,
+    /// Instead of a ball: the outline of a cylinder.
+    Cylinder,
     /// The outline of a ball of a known metal.
     Reference,
     /// A card of known reflectance.
@@ -37,6 +39,7 @@ impl Mark {
     /// The marks that a request has, those that are drawn last at the end.
     pub(crate) fn all_of(request: &MatchRequest) -> Vec<Self> {
         let mut marks: Vec<Self> = request.circle.iter().map(|_| Self::Ball).collect();
+        marks.extend(request.cylinder.iter().map(|_| Self::Cylinder));
         marks.extend(request.reference_ball.iter().map(|_| Self::Reference));
         marks.extend((0..request.cards.len()).map(Self::Card));
         marks.extend((0..request.mirrors.len()).flat_map(|index| [Self::Direct(index), Self::Mirrored(index)]));
@@ -64,6 +67,7 @@ impl Mark {
     pub(crate) const fn kind(self) -> &'static str {
         match self {
             Self::Ball => "Ball",
+            Self::Cylinder => "Cylinder",
             Self::Reference => "Reference ball",
             Self::Card(_) => "Card",
             Self::Direct(_) | Self::Mirrored(_) => "Mirror pair",
@@ -78,6 +82,7 @@ impl Mark {
     pub(crate) const fn purpose(self) -> &'static str {
         match self {
             Self::Ball => "The outline of the ball",
+            Self::Cylinder => "The outline of a cylinder, instead of a ball",
             Self::Reference => "The outline of a ball of a known metal in the same surroundings",
             Self::Card(_) => "A card of known reflectance; several show how even the light is",
             Self::Direct(_) | Self::Mirrored(_) => "A card seen directly, and the same card in the flat metal",
@@ -92,15 +97,21 @@ impl Mark {
     pub(crate) const fn how_to_draw(self) -> &'static str {
         match self {
             Self::Ball | Self::Reference => "Drag across the ball, from edge to edge. It snaps to the edge.",
+            Self::Cylinder => "Drag over the cylinder, from corner to corner. It snaps to its edges; turn it by its ends.",
             Self::GreyScale => "Drag along the row from the brightest patch to the darkest, then drag its corners.",
             Self::Facing | Self::Edge => "Drag across the spot to read.",
             _ => "Drag from corner to corner, well inside the edges.",
         }
     }
 
-    /// True for the outline of a ball, which can snap to its edge.
+    /// True for an outline, which can snap to its edge.
     pub(crate) const fn is_outline(self) -> bool {
-        matches!(self, Self::Ball | Self::Reference)
+        matches!(self, Self::Ball | Self::Cylinder | Self::Reference)
+    }
+
+    /// True for the outline of what is measured.
+    pub(crate) const fn is_body(self) -> bool {
+        matches!(self, Self::Ball | Self::Cylinder)
     }
 
     /// Its shape; `None` when the request has no such mark.
@@ -108,6 +119,7 @@ impl Mark {
         let pair = |index: usize| request.mirrors.get(index);
         match self {
             Self::Ball => request.circle.map(MarkShape::Round),
+            Self::Cylinder => request.cylinder.map(MarkShape::Rod),
             Self::Reference => request.reference_ball.as_ref().map(|ball| MarkShape::Round(ball.circle)),
             Self::Card(index) => request.cards.get(index).map(|card| MarkShape::of_area(card.area)),
             Self::Direct(index) => pair(index).map(|pair| MarkShape::of_area(pair.direct)),
@@ -119,7 +131,7 @@ impl Mark {
         }
     }
 
-    /// Gives it another shape, or makes it.
+    /// Gives it another shape, or makes it. Of a ball and a cylinder the one set last is measured.
     pub(crate) fn set(self, request: &mut MatchRequest, shape: MarkShape) {
         match (self, shape) {
             (Self::Ball, MarkShape::Round(circle)) => {
@@ -127,7 +139,13 @@ impl Mark {
                     // What a fit said of another circle says nothing about this one.
                     request.circle_uncertainty_px = None;
                 }
-                request.circle = Some(circle);
+                (request.circle, request.cylinder) = (Some(circle), None);
+            }
+            (Self::Cylinder, MarkShape::Rod(cylinder)) => {
+                if request.cylinder != Some(cylinder) {
+                    request.circle_uncertainty_px = None;
+                }
+                (request.circle, request.cylinder) = (None, Some(cylinder));
             }
             (Self::Reference, MarkShape::Round(circle)) => match &mut request.reference_ball {
                 Some(ball) => ball.circle = circle,
@@ -139,7 +157,7 @@ impl Mark {
                 request.greys = patches(corners, known);
                 request.grey_corners = Some(corners);
             }
-            (Self::Ball | Self::Reference | Self::GreyScale, _) => {}
+            (Self::Ball | Self::Cylinder | Self::Reference | Self::GreyScale, _) => {}
             (mark, shape) => mark.set_area(request, shape.area()),
         }
     }
@@ -162,7 +180,7 @@ impl Mark {
             Self::Facing => request.facing = Some(area),
             Self::Edge => request.edge = Some(area),
             Self::Backdrop => request.backdrop = Some(area),
-            Self::Ball | Self::Reference | Self::GreyScale => {}
+            Self::Ball | Self::Cylinder | Self::Reference | Self::GreyScale => {}
         }
     }
 
@@ -170,6 +188,7 @@ impl Mark {
     pub(crate) fn remove(self, request: &mut MatchRequest) {
         match self {
             Self::Ball => (request.circle, request.circle_uncertainty_px) = (None, None),
+            Self::Cylinder => (request.cylinder, request.circle_uncertainty_px) = (None, None),
             Self::Reference => request.reference_ball = None,
             Self::Card(index) => {
                 if index < request.cards.len() {
@@ -198,6 +217,7 @@ impl Mark {
         };
         match self {
             Self::Ball => MarkShape::Round(Circle::new(w / 2.0, h / 2.0, unit * 0.35)),
+            Self::Cylinder => MarkShape::Rod(Cylinder::new([w * 0.2, h / 2.0], [w * 0.8, h / 2.0], unit * 0.2)),
             Self::Reference => MarkShape::Round(Circle::new(w * 0.78, h / 2.0, unit * 0.2)),
             Self::Facing => MarkShape::Round(Circle::new(w / 2.0, h / 2.0, unit * 0.05)),
             Self::Edge => MarkShape::Round(Circle::new(w / 2.0 + unit * 0.33, h / 2.0, unit * 0.02)),
@@ -254,6 +274,20 @@ mod tests {
         for mark in MARKS.into_iter().rev() {
             mark.remove(&mut request);
         }
+        assert_eq!(request, MatchRequest::default());
+    }
+
+    #[test]
+    fn a_cylinder_takes_the_place_of_a_ball() {
+        let mut request = MatchRequest::default();
+        for (mark, other) in [(Mark::Ball, Mark::Cylinder), (Mark::Cylinder, Mark::Ball), (Mark::Ball, Mark::Cylinder)] {
+            let shape = mark.first_shape(400, 300);
+            request.circle_uncertainty_px = Some(0.1);
+            mark.set(&mut request, shape);
+            assert_eq!((mark.shape(&request), other.shape(&request)), (Some(shape), None));
+            assert_eq!(request.circle_uncertainty_px, None, "what a fit said of the other says nothing of this one");
+        }
+        Mark::Ball.remove(&mut request);
         assert_eq!(request, MatchRequest::default());
     }
 

@@ -30,11 +30,11 @@ impl Need {
     }
 }
 
-/// What a mode needs and a request lacks, in the order in which it is marked.
+/// What a mode needs and a request lacks, in the order in which it is marked; a cylinder serves as a ball does.
 pub(crate) fn missing(mode: LightMode, request: &MatchRequest) -> Vec<Need> {
-    let has_ball = request.circle.is_some();
-    let has_metal = has_ball || request.facing.is_some() || request.edge.is_some();
-    let ball = (has_ball, Need::Mark(Mark::Ball));
+    let has_body = request.body().is_some();
+    let has_metal = has_body || request.facing.is_some() || request.edge.is_some();
+    let ball = (has_body, Need::Mark(Mark::Ball));
     let metal = (has_metal, Need::Mark(Mark::Ball));
     let needs = match mode {
         LightMode::FlatMirror => vec![(!request.mirrors.is_empty(), Need::Mark(Mark::Direct(0)))],
@@ -44,7 +44,7 @@ pub(crate) fn missing(mode: LightMode, request: &MatchRequest) -> Vec<Need> {
             vec![metal, (has_white, Need::Mark(Mark::Card(0)))]
         }
         LightMode::Backdrop => {
-            let has_rim = has_ball || request.edge.is_some();
+            let has_rim = has_body || request.edge.is_some();
             vec![(has_rim, Need::Mark(Mark::Ball)), (request.backdrop.is_some(), Need::Mark(Mark::Backdrop))]
         }
         LightMode::SolvedLight => vec![ball],

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use eframe::egui::{Context, Vec2};
 
 use super::comparison::Comparison;
-use super::outlining::{Found, Outlining, Search};
-use super::{Developer, Development, Loaded, Looking, Mark, MarkShape, Need, Source, missing};
+use super::outlining::{Found, Outlining, Place, Search};
+use super::{Developer, Development, Loaded, Looking, Mark, Need, Source, missing};
 use crate::color::{Rgb, RgbSpace};
 use crate::gui::job::Follower;
 use crate::metal::Metal;
-use crate::photo::{LightMode, Match, MatchRequest, Photo, Preview, solve};
+use crate::photo::{LightMode, Match, MatchRequest, OutlineError, Photo, Preview, solve};
 use crate::preset::{Origin, Preset};
 
 /// An open photograph with its marks and what they gave.
@@ -256,17 +256,18 @@ impl Session {
         }
     }
 
-    /// Looks for the edge nearest to a round mark.
+    /// Looks for the edge nearest to an outline.
     pub(crate) fn snap(&mut self, mark: Mark) {
-        if let Some(MarkShape::Round(circle)) = mark.shape(&self.request) {
-            self.wanted_outline = Some(Search { mark, near: Some(circle) });
+        if let Some(shape) = mark.shape(&self.request).filter(|_| mark.is_outline()) {
+            self.wanted_outline = Some(Search { mark, place: Place::Near(shape) });
         }
     }
 
-    /// Looks for the ball everywhere.
+    /// Looks for the ball everywhere but where the reference ball is marked.
     pub(crate) fn find_ball(&mut self) {
         self.comparison.looking = Looking::Photograph;
-        self.wanted_outline = Some(Search { mark: Mark::Ball, near: None });
+        let but = self.request.reference_ball.as_ref().map(|ball| ball.circle);
+        self.wanted_outline = Some(Search { mark: Mark::Ball, place: Place::Everywhere { but } });
     }
 
     /// Starts the search that is wanted and takes over what one has found.
@@ -277,13 +278,15 @@ impl Session {
             log::error!("outline: no thread could be started: {error}");
         }
         let Some((search, Ok(outline))) = self.outlining.poll() else { return };
-        let is_where_it_was =
-            search.near.is_none_or(|near| search.mark.shape(&self.request) == Some(MarkShape::Round(near)));
+        let is_where_it_was = match search.place {
+            Place::Near(shape) => search.mark.shape(&self.request) == Some(shape),
+            Place::Everywhere { .. } => true,
+        };
         if is_where_it_was {
-            search.mark.set(&mut self.request, MarkShape::Round(outline.circle));
-            if search.mark == Mark::Ball {
-                self.request.circle_uncertainty_px = Some(outline.uncertainty_px);
-                self.selected = Some(Mark::Ball);
+            search.mark.set(&mut self.request, outline.shape());
+            if search.mark.is_body() {
+                self.request.circle_uncertainty_px = Some(outline.uncertainty_px());
+                self.selected = Some(search.mark);
             }
             self.choose_mode();
         }
@@ -291,11 +294,12 @@ impl Session {
 
     /// What the last search for the outline of a mark came to, if the mark is still there.
     pub(crate) fn found_outline(&self, mark: Mark) -> Option<&Found> {
-        let circle = match mark.shape(&self.request) {
-            Some(MarkShape::Round(circle)) => Some(circle),
-            _ => None,
-        };
-        self.outlining.last(mark, circle)
+        self.outlining.last(mark, mark.shape(&self.request))
+    }
+
+    /// Why the ball was not found anywhere, if it was looked for last.
+    pub(crate) fn found_nowhere(&self) -> Option<&OutlineError> {
+        self.outlining.found_nowhere()
     }
 
     /// True while an edge is being looked for.

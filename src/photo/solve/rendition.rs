@@ -10,7 +10,7 @@ use super::view::View;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{CosTheta, FresnelModel, Weights};
 use crate::photo::area::pixel_range;
-use crate::photo::{Area, Circle, LightMode, Photo};
+use crate::photo::{Area, Body, LightMode, Photo};
 
 /// The part of a photograph around the metal, as it is and rendered from a match, row by row from the top left.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,8 +45,8 @@ pub enum RenditionError {
     /// The light is missing in a channel.
     #[error("the light was not measured in every channel, so there is nothing to compare with")]
     NoLight,
-    /// No ball and no mirror.
-    #[error("mark the ball to compare the photograph with the match")]
+    /// No body and no mirror.
+    #[error("mark the ball or the cylinder to compare the photograph with the match")]
     NoMetal,
     /// The marks no longer fit the photograph.
     #[error(transparent)]
@@ -109,8 +109,8 @@ struct Scene {
 
 /// Where a photograph shows the metal.
 enum Surface {
-    /// A ball.
-    Ball(Circle),
+    /// A ball or a cylinder.
+    Body(Body),
     /// A flat piece that mirrors a card, with what the card sends.
     Mirror { area: Area, angle: CosTheta, card: [f64; 3] },
 }
@@ -136,7 +136,7 @@ impl Scene {
     /// Left, top, right and bottom of the part that shows the metal, cut at the picture's ends.
     fn bounds(&self, photo: &Photo) -> [u32; 4] {
         let of_surface = |surface: &Surface| match surface {
-            Surface::Ball(circle) => Area::from(*circle).bounds(),
+            Surface::Body(body) => body.bounds(),
             Surface::Mirror { area, .. } => area.bounds(),
         };
         let all = self.surfaces.iter().map(of_surface).map(|[x, y, width, height]| [x, y, x + width, y + height]);
@@ -171,13 +171,12 @@ impl Scene {
     /// The angle and the light where a surface shows a point, and whether blur keeps the backdrop away from it.
     fn meet(&self, view: &View, surface: &Surface, x: f64, y: f64) -> Option<(CosTheta, [f64; 3], bool)> {
         match surface {
-            Surface::Ball(circle) => {
-                let rho = Some(circle.rho(x, y)).filter(|rho| *rho < 1.0)?;
-                let angle = CosTheta::new((1.0 - rho * rho).sqrt());
-                let on_ball = [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius];
-                let place =
-                    Place { block: 0, ring: 0, weights: Weights::at(angle), cosine: angle.get(), normal: on_ball };
-                let is_sure = (1.0 - rho) * circle.radius > Regions::RIM_MARGIN_PX;
+            Surface::Body(body) => {
+                let normal = body.normal(x, y)?;
+                let sine = Some(normal[0].hypot(normal[1])).filter(|sine| *sine < 1.0)?;
+                let angle = CosTheta::new((1.0 - sine * sine).sqrt());
+                let place = Place { block: 0, ring: 0, weights: Weights::at(angle), cosine: angle.get(), normal };
+                let is_sure = (1.0 - sine) * body.radius() > Regions::RIM_MARGIN_PX;
                 Some((angle, self.light.at(view, &place), is_sure))
             }
             Surface::Mirror { area, angle, card } => area.contains(x, y).then_some((*angle, *card, true)),
@@ -187,7 +186,7 @@ impl Scene {
 
 fn surfaces(view: &View, found: &Match) -> Vec<Surface> {
     if found.mode != LightMode::FlatMirror {
-        return found.request.circle.map(Surface::Ball).into_iter().collect();
+        return found.request.body().map(Surface::Body).into_iter().collect();
     }
     let mirror = |pair: &crate::photo::MirrorPair| Surface::Mirror {
         area: pair.mirrored,
@@ -211,7 +210,7 @@ fn block_mean(view: &View, [column, row]: [u32; 2], step: u32) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::photo::{MatchRequest, solve};
+    use crate::photo::{Circle, MatchRequest, solve};
 
     const BALL: Circle = Circle::new(60.0, 50.0, 40.0);
 

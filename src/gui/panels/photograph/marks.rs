@@ -2,12 +2,12 @@
 
 use eframe::egui::{Align, Button, Label, Layout, Response, RichText, Ui, Vec2};
 
-use super::references::{card_fields, grey_fields, light_row, metal_row, pair_angle};
+use super::references::{card_fields, grey_fields, lead, light_row, metal_row, pair_angle};
 use crate::gui::command::Action;
 use crate::gui::photograph::{Mark, MarkShape, Need, Session};
 use crate::gui::theme::{self, Palette};
 use crate::gui::widgets::NumberField;
-use crate::photo::{Circle, LightMode, MatchRequest};
+use crate::photo::{Circle, Cylinder, LightMode, MatchRequest};
 
 pub(super) fn show(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     ui.label(theme::title("Marks")).on_hover_text("Drag them on the photograph, or type their numbers, in pixels");
@@ -39,6 +39,7 @@ fn offers(session: &Session) -> (Vec<Need>, Vec<Need>) {
     let request = &session.request;
     let all = [
         Need::Mark(Mark::Ball),
+        Need::Mark(Mark::Cylinder),
         Need::Mark(Mark::Reference),
         Need::Mark(Mark::Card(request.cards.len())),
         Need::Mark(Mark::Direct(request.mirrors.len())),
@@ -50,7 +51,9 @@ fn offers(session: &Session) -> (Vec<Need>, Vec<Need>) {
     ];
     let missing = session.missing();
     let is_open = |need: &Need| !is_there(*need, request) && !missing.contains(need);
-    all.into_iter().filter(is_open).partition(|need| is_read(request.mode, *need))
+    // Of a ball and a cylinder one is measured: the other would take its place.
+    let is_instead = |need: &Need| matches!(need, Need::Mark(mark) if mark.is_body()) && request.body().is_some();
+    all.into_iter().filter(is_open).partition(|need| is_read(request.mode, *need) && !is_instead(need))
 }
 
 fn is_there(need: Need, request: &MatchRequest) -> bool {
@@ -66,7 +69,7 @@ fn is_read(mode: LightMode, need: Need) -> bool {
     let Need::Mark(mark) = need else { return matches!(mode, LightMode::ByEye | LightMode::SolvedLight) };
     match mark {
         Mark::GreyScale => true,
-        Mark::Ball | Mark::Edge => mode != LightMode::FlatMirror,
+        Mark::Ball | Mark::Cylinder | Mark::Edge => mode != LightMode::FlatMirror,
         Mark::Facing => !matches!(mode, LightMode::FlatMirror | LightMode::Backdrop),
         Mark::Reference => mode == LightMode::ReferenceBall,
         Mark::Card(_) => mode == LightMode::Card,
@@ -87,12 +90,26 @@ pub(super) fn add_button(ui: &mut Ui, session: &mut Session, need: Need) {
     }
 }
 
+/// What looking for the ball does.
+const FIND_PURPOSE: &str = "Look for the roundest outline in the whole picture, beside the reference ball";
+
 /// A button that looks for the ball everywhere.
 pub(super) fn find_button(ui: &mut Ui, session: &mut Session) {
     let button = ui.add_enabled(!session.is_outlining(), Button::new("Find the ball"));
-    if button.on_hover_text("Look for the roundest outline in the whole picture").clicked() {
+    if button.on_hover_text(FIND_PURPOSE).clicked() {
         session.find_ball();
     }
+}
+
+/// Why the ball was not found, if it was looked for last.
+pub(super) fn found_nowhere(ui: &mut Ui, session: &Session) {
+    if let Some(error) = session.found_nowhere() {
+        warning_line(ui, sentence(&error.to_string()));
+    }
+}
+
+fn warning_line(ui: &mut Ui, words: String) {
+    ui.add(Label::new(RichText::new(words).small().color(Palette::of(ui).warning)).wrap());
 }
 
 fn mark_row(ui: &mut Ui, session: &mut Session, mark: Mark) {
@@ -143,6 +160,29 @@ fn shape_fields(ui: &mut Ui, shape: MarkShape, name: &str) -> Option<MarkShape> 
             changed.contains(&true).then_some(MarkShape::Square([x, y, width, height]))
         }
         MarkShape::Quad(_) => None,
+        // The other end has a row of its own.
+        MarkShape::Rod(Cylinder { mut x0, mut y0, x1, y1, mut radius }) => {
+            let changed = [field(&mut x0, "start x"), field(&mut y0, "start y"), field(&mut radius, "radius")];
+            changed.contains(&true).then(|| MarkShape::Rod(Cylinder::new([x0, y0], [x1, y1], radius.max(1.0))))
+        }
+    }
+}
+
+/// The other end of a cylinder's axis.
+fn end_row(ui: &mut Ui, session: &mut Session) {
+    let Some(Cylinder { x0, y0, mut x1, mut y1, radius }) = session.request.cylinder else { return };
+    let name = Mark::Cylinder.kind();
+    let changed = ui.horizontal(|ui| {
+        lead(ui, "other end");
+        let mut field = |value: &mut f64, what: &str| {
+            NumberField::new(value, format!("{name} {what}, pixels")).precision(1, 0.25).width(48.0).show(ui).changed()
+        };
+        [field(&mut x1, "end x"), field(&mut y1, "end y")].contains(&true)
+    });
+    // Both ends in one place would leave the axis without a direction.
+    if changed.inner && (x1 - x0).hypot(y1 - y0) >= 1.0 {
+        Mark::Cylinder.set(&mut session.request, MarkShape::Rod(Cylinder::new([x0, y0], [x1, y1], radius)));
+        session.placing = None;
     }
 }
 
@@ -150,6 +190,10 @@ fn shape_fields(ui: &mut Ui, shape: MarkShape, name: &str) -> Option<MarkShape> 
 fn below(ui: &mut Ui, session: &mut Session, mark: Mark, actions: &mut Vec<Action>) {
     match mark {
         Mark::Ball => outline_row(ui, session, mark),
+        Mark::Cylinder => {
+            end_row(ui, session);
+            outline_row(ui, session, mark);
+        }
         Mark::Reference => {
             metal_row(ui, session, actions);
             outline_row(ui, session, mark);
@@ -175,19 +219,27 @@ fn outline_row(ui: &mut Ui, session: &mut Session, mark: Mark) {
         ui.label(theme::hint(outline_words(session, mark)));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if mark == Mark::Ball {
-                let button = small(ui, session, "Find", "Look for the roundest outline in the whole picture");
+                let button = small(ui, session, "Find", FIND_PURPOSE);
                 if button.accessible_name("Find the ball").clicked() {
                     session.find_ball();
                 }
             }
-            let button = small(ui, session, "Snap to the edge", "Fit the circle to the edge of the ball nearest to it");
+            let purpose = if mark == Mark::Cylinder {
+                "Fit the two lines to the edges nearest to them"
+            } else {
+                "Fit the circle to the edge of the ball nearest to it"
+            };
+            let button = small(ui, session, "Snap to the edge", purpose);
             if button.accessible_name(format!("Snap to the edge: {}", mark.kind())).clicked() {
                 session.snap(mark);
             }
         });
     });
     if let Some(warning) = outline_warning(session, mark) {
-        ui.add(Label::new(RichText::new(warning).small().color(Palette::of(ui).warning)).wrap());
+        warning_line(ui, warning);
+    }
+    if mark == Mark::Ball {
+        found_nowhere(ui, session);
     }
 }
 
@@ -196,21 +248,23 @@ fn small(ui: &mut Ui, session: &Session, words: &str, purpose: &str) -> Response
     ui.add_enabled(!session.is_outlining(), Button::new(words).small()).on_hover_text(purpose)
 }
 
+/// How well the radius is known, about 95 %, and from what.
 fn outline_words(session: &Session, mark: Mark) -> String {
     if session.is_outlining() {
         return "Looking for the edge".to_owned();
     }
     if let Some(Ok(outline)) = session.found_outline(mark) {
-        return format!("± {:.2} px, on {:.0} % of the edge", outline.uncertainty_px, 100.0 * outline.support);
+        let (plus_minus_px, share) = (2.0 * outline.uncertainty_px(), 100.0 * outline.support());
+        return format!("± {plus_minus_px:.2} px, on {share:.0} % of the edge");
     }
-    let is_fitted = mark == Mark::Ball && session.request.circle_uncertainty_px.is_some();
+    let is_fitted = mark.is_body() && session.request.circle_uncertainty_px.is_some();
     let how = if is_fitted { "by the edge" } else { "by hand" };
     let hand_px = MatchRequest::HAND_PLACED_UNCERTAINTY_PX;
     let uncertainty = if is_fitted { session.request.radius_uncertainty_px() } else { hand_px };
-    format!("± {uncertainty:.2} px, {how}")
+    format!("± {:.2} px, {how}", 2.0 * uncertainty)
 }
 
-/// Why there is no edge, or why it is no circle.
+/// Why there is no edge, or why it is no ball or no cylinder.
 fn outline_warning(session: &Session, mark: Mark) -> Option<String> {
     match session.found_outline(mark)? {
         Ok(outline) => outline.warning().map(|warning| warning.message),

@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, CornerRadius, Label, RichText, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo};
 
-use super::marks::{add_button, find_button};
+use super::marks::{add_button, find_button, found_nowhere};
 use crate::gui::photograph::{Mark, Need, Session};
 use crate::gui::theme::{self, Palette};
 use crate::gui::widgets::mode_picture;
@@ -96,4 +96,7 @@ fn still_needs(ui: &mut Ui, session: &mut Session) {
             find_button(ui, session);
         }
     });
+    if missing.contains(&Need::Mark(Mark::Ball)) {
+        found_nowhere(ui, session);
+    }
 }

@@ -59,7 +59,7 @@ pub(super) fn pair_angle(ui: &mut Ui, pair: &mut MirrorPair, name: &str) {
 }
 
 /// Quiet words below the name of a mark, as wide as it.
-fn lead(ui: &mut Ui, words: &str) {
+pub(super) fn lead(ui: &mut Ui, words: &str) {
     let size = Vec2::new(theme::MARK_WIDTH, theme::ROW);
     ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
         ui.set_min_size(size);

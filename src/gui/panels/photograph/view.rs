@@ -85,7 +85,7 @@ pub(super) fn under_pointer(ui: &mut Ui, session: &Session, point: Option<[f64; 
         ui.label(theme::number(format!("{column:.0},{row:.0}")).weak());
         ui.label(theme::number(pixel.rgb.0.map(|v| format!("{v:.4}")).join(" ")))
             .on_hover_text("linear sRGB (Rec.709)");
-        if let Some(angle_deg) = session.request.circle.and_then(|ball| ball.angle_deg(column + 0.5, row + 0.5)) {
+        if let Some(angle_deg) = session.request.body().and_then(|body| body.angle_deg(column + 0.5, row + 0.5)) {
             ui.label(theme::number(format!("{angle_deg:.1}°")).weak());
         }
         if let Some(delta_e) = difference_at(session, column + 0.5, row + 0.5) {

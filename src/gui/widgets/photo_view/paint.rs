@@ -7,7 +7,7 @@ use eframe::egui::{
 use super::placement::Placement;
 use crate::gui::photograph::{Mark, MarkShape, Session};
 use crate::gui::theme::{self, Palette};
-use crate::photo::{Area, Circle};
+use crate::photo::{Area, Body, Circle, Cylinder};
 
 /// Angles of the bands that are read, and of the ring that h is about.
 const FACING_DEG: f64 = 40.0;
@@ -24,8 +24,8 @@ pub(super) fn paint(ui: &mut Ui, session: &mut Session, rect: Rect, placement: P
     if let Some(texture) = session.developer.texture(ui.ctx(), &session.preview, session.development) {
         painter.image(texture.id(), picture, whole, Color32::WHITE);
     }
-    if let Some(circle) = session.request.circle {
-        painter.extend(bands(circle, placement));
+    if let Some(body) = session.request.body() {
+        painter.extend(bands(body, placement));
     }
     for grey in &session.request.greys {
         painter.extend(outline(shape_of(grey.area), placement, theme::MARK));
@@ -44,17 +44,32 @@ pub(super) fn paint(ui: &mut Ui, session: &mut Session, rect: Rect, placement: P
 }
 
 /// The bands of angles that are read, and the ring around 81.8°.
-fn bands(circle: Circle, placement: Placement) -> Vec<Shape> {
-    let centre = placement.screen([circle.x, circle.y]);
-    let radius = |deg: f64| circle.ring_radius(deg) as f32 * placement.scale;
+fn bands(body: Body, placement: Placement) -> Vec<Shape> {
+    let radius = |deg: f64| body.ring_radius(deg) as f32 * placement.scale;
     // Lines, not tints: a tint would change the very colours that are to be judged.
     let limits = [FACING_DEG, GRAZING_DEG[0], GRAZING_DEG[1]].into_iter().flat_map(|deg| {
-        let line = |shift: f32, colour| Shape::circle_stroke(centre, radius(deg) + shift, Stroke::new(1.0, colour));
-        [line(0.5, theme::BAND_EDGE), line(-0.5, theme::BAND)]
+        let line = |shift: f32, colour| ring(body, placement, radius(deg) + shift, Stroke::new(1.0, colour));
+        line(0.5, theme::BAND_EDGE).into_iter().chain(line(-0.5, theme::BAND))
     });
     let (low, high) = (radius(EDGE_DEG[0]), radius(EDGE_DEG[1]));
     let edge = Stroke::new((high - low).max(0.5), theme::MARK.gamma_multiply(0.55));
-    limits.chain([Shape::circle_stroke(centre, (low + high) / 2.0, edge)]).collect()
+    limits.chain(ring(body, placement, (low + high) / 2.0, edge)).collect()
+}
+
+/// Where a body is at a distance from its centre or its axis, in points of the screen: a circle, or a line on each side.
+fn ring(body: Body, placement: Placement, distance: f32, stroke: Stroke) -> Vec<Shape> {
+    match body {
+        Body::Ball(circle) => {
+            vec![Shape::circle_stroke(placement.screen([circle.x, circle.y]), distance, stroke)]
+        }
+        Body::Cylinder(cylinder) => {
+            let [ux, uy] = cylinder.direction().map(|u| u as f32);
+            let Cylinder { x0, y0, x1, y1, .. } = cylinder;
+            let ends = [[x0, y0], [x1, y1]].map(|end| placement.screen(end));
+            let line = |side: f32| ends.map(|end| end + vec2(-uy, ux) * (side * distance));
+            [-1.0, 1.0].map(|side| Shape::line_segment(line(side), stroke)).to_vec()
+        }
+    }
 }
 
 fn shape_of(area: Area) -> MarkShape {
@@ -75,6 +90,9 @@ fn outline(shape: MarkShape, placement: Placement, colour: Color32) -> [Shape; 2
             Shape::rect_stroke(corners, 0, stroke, StrokeKind::Middle)
         }
         MarkShape::Quad(corners) => Shape::closed_line(corners.map(|corner| placement.screen(corner)).to_vec(), stroke),
+        MarkShape::Rod(cylinder) => {
+            Shape::closed_line(cylinder.corners().map(|corner| placement.screen(corner)).to_vec(), stroke)
+        }
     })
 }
 
@@ -92,8 +110,8 @@ fn grips(shape: MarkShape, placement: Placement, colour: Color32, is_selected: b
 fn labels(ui: &Ui, painter: &Painter, session: &Session, placement: Placement) {
     let request = &session.request;
     let mut marks = Mark::all_of(request);
-    // A ball by itself needs no name.
-    marks.retain(|mark| *mark != Mark::Ball || request.reference_ball.is_some());
+    // What is measured needs no name by itself.
+    marks.retain(|mark| !mark.is_body() || request.reference_ball.is_some());
     marks.sort_by_key(|mark| session.selected != Some(*mark));
     let mut taken: Vec<Rect> = Vec::new();
     for mark in marks {
