@@ -3,6 +3,7 @@
 mod studio;
 
 use edgewise::color::{Rgb, RgbSpace};
+use edgewise::metal::{ReflectanceTable, metal_by_name};
 use edgewise::photo::{Card, Circle, MatchRequest, Photo, Warning, WarningCode, solve};
 use edgewise::sample::{Camera, Tent};
 use studio::{Stored, Studio, codes, inside, largest_error};
@@ -100,6 +101,56 @@ fn uneven_surroundings_are_seen_around_the_ball() {
     let side = |right| Studio { tent: Tent { right, ..Tent::default() }, ..DEFAULT() };
     assert!(side(0.25).codes().contains(&WarningCode::Environment));
     assert!(!side(0.02).codes().contains(&WarningCode::Environment));
+}
+
+/// A ball of microfacets that lean up to a slope, under a lamp with sharp edges in an otherwise even tent.
+fn under_a_lamp(slope: f64) -> Photo {
+    const FACETS: u32 = 48;
+    let studio = DEFAULT();
+    let curve = ReflectanceTable::of(metal_by_name(studio.metal).unwrap());
+    let [width, height] = studio.size;
+    let light = |direction: [f64; 3]| {
+        let toward_lamp = -0.6 * direction[0] + 0.5 * direction[1] + 0.62 * direction[2];
+        if toward_lamp > 0.96 { 3.0 } else { 1.0 }
+    };
+    let white = studio.photo();
+    let pixel = |x: u32, y: u32| {
+        let [right, down] = [
+            (f64::from(x) + 0.5 - studio.circle.x) / studio.circle.radius,
+            (f64::from(y) + 0.5 - studio.circle.y) / studio.circle.radius,
+        ];
+        let sine2 = right * right + down * down;
+        if sine2 >= 1.0 {
+            return white.pixel(x, y).unwrap().rgb.0.map(|value| value as f32);
+        }
+        let normal = [right, -down, (1.0 - sine2).sqrt()];
+        let facet = |index: u32| {
+            // A spiral fills the disc of slopes evenly (Vogel 1979).
+            let (share, turn) = ((f64::from(index) + 0.5) / f64::from(FACETS), 2.399_963 * f64::from(index));
+            let lean = [slope * share.sqrt() * turn.cos(), slope * share.sqrt() * turn.sin(), 0.0];
+            let [x, y, z] = [0, 1, 2].map(|i| normal[i] + lean[i]);
+            let length = (x * x + y * y + z * z).sqrt();
+            let [x, y, z] = [x / length, y / length, z / length];
+            curve.at(z) * light([2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0])
+        };
+        let sum = (0..FACETS).map(facet).fold(Rgb::BLACK, |sum, radiance| sum + radiance);
+        (sum * (0.3 / f64::from(FACETS))).0.map(|value| value as f32)
+    };
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
+    Photo::from_linear("lamp", width, height, pixels)
+}
+
+/// Where a lamp is mirrored, a rough metal shows a glow; a polished one shows its edges.
+#[test]
+fn a_blurred_reflection_may_be_a_rough_metal() {
+    let says_rough = |slope: f64| {
+        let found = solve(&under_a_lamp(slope), &DEFAULT().request(), RgbSpace::LinRec709).unwrap();
+        codes(&found).contains(&WarningCode::Rough)
+    };
+    assert!(says_rough(0.15));
+    assert!(!says_rough(0.0));
+    let lens = Studio { tent: Tent { lens_deg: 8.0, lamp: 2.0, ..Tent::default() }, ..DEFAULT() };
+    assert!(!lens.codes().contains(&WarningCode::Rough));
 }
 
 #[test]

@@ -43,6 +43,8 @@ pub enum WarningCode {
     Geometry,
     /// The surroundings are uneven.
     Environment,
+    /// The reflection is blurred: a rough metal shows means over many angles.
+    Rough,
     /// The ball is too small for h.
     SmallBall,
     /// h is out of reach for any real material at this r, or F leaves `[0, 1]`.
@@ -69,6 +71,7 @@ impl WarningCode {
             Self::Alpha => "alpha",
             Self::Geometry => "geometry",
             Self::Environment => "environment",
+            Self::Rough => "rough",
             Self::SmallBall => "small_ball",
             Self::Infeasible => "infeasible",
             Self::Multimodal => "multimodal",

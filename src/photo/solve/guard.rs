@@ -6,6 +6,7 @@ use super::light::Light;
 use super::outcome::Match;
 use super::region::{Regions, SECTORS};
 use super::shape::MetalCurve;
+use super::sharpness::is_blurred;
 use super::view::View;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{CosTheta, gulbrandsen, reachable_h, reflectance_range};
@@ -38,6 +39,7 @@ pub(super) fn warnings(
     warnings.extend(two_colours(&areas));
     warnings.extend(small_ball(request));
     warnings.extend(uneven(request, measured, outcome));
+    warnings.extend(rough(view, request));
     warnings.extend(mirrored_backdrop(request, measured));
     warnings.extend(infeasible(outcome));
     warnings.extend(gamut(outcome));
@@ -226,6 +228,16 @@ fn uneven(request: &MatchRequest, measured: &Measured, outcome: &Match) -> Optio
     };
     let message = format!("The surroundings are uneven: {seen}. Use a light tent or a reference ball.");
     Some(Warning::new(WarningCode::Environment, message))
+}
+
+/// A rough metal, seen where it mirrors a lamp or the camera.
+fn rough(view: &View, request: &MatchRequest) -> Option<Warning> {
+    let body = request.body().filter(|body| body.radius() >= SMALL_RADIUS_PX && is_blurred(view, *body))?;
+    let message = format!(
+        "Nothing that the {} mirrors has a sharp edge: if the metal is rough, r and h are means over many angles.",
+        body.noun()
+    );
+    Some(Warning::new(WarningCode::Rough, message))
 }
 
 /// The spread of the sectors from the tenth to the ninetieth percentile, over their mean.

@@ -15,6 +15,7 @@ mod reference;
 mod region;
 mod rendition;
 mod shape;
+mod sharpness;
 mod solved_light;
 mod uncertainty;
 mod view;

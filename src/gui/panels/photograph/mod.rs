@@ -45,6 +45,7 @@ pub(crate) fn page(ui: &mut Ui, state: &mut State, reading: Reading, side: Frame
             ui.allocate_ui(Vec2::new(theme::PHOTO_WIDTH, ui.available_height()), |ui| {
                 opening::reading_bar(ui, reading, actions);
                 opening::empty(ui, &mut state.path, actions);
+                opening::tips(ui);
             });
         });
         return;

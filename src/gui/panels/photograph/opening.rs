@@ -45,6 +45,23 @@ pub(super) fn empty(ui: &mut Ui, path: &mut String, actions: &mut Vec<Action>) {
     }
 }
 
+/// What spoils a photograph without a trace in it: nothing can warn of these afterwards.
+const TIPS: [&str; 4] = [
+    "No polarising filter: a metal's reflection is polarised at the rim, where h shows.",
+    "No screen as a light or as a backdrop: its light is polarised, too.",
+    "No clear blue sky: at a right angle to the sun it is polarised, which moves h by up to .1.",
+    "Polished metal: a rough surface shows a mean over many angles, and glass baubles are silvered glass.",
+];
+
+/// How to photograph.
+pub(super) fn tips(ui: &mut Ui) {
+    ui.add_space(theme::GROUP_GAP);
+    ui.label(theme::title("When photographing"));
+    for tip in TIPS {
+        ui.add(Label::new(theme::hint(tip)).wrap());
+    }
+}
+
 fn path_row(ui: &mut Ui, path: &mut String, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         let width = ui.available_width() - 64.0;
