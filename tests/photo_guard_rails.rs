@@ -57,7 +57,10 @@ fn a_channel_without_a_usable_pixel_has_no_numbers() {
         solve(&photo, &studio.request(), RgbSpace::LinRec709).unwrap()
     };
     let is_said = |found: &edgewise::photo::Match, place: &str| {
-        found.warnings.iter().any(|warning| warning.message.contains(place) && warning.message.contains("nothing is measured"))
+        found
+            .warnings
+            .iter()
+            .any(|warning| warning.message.contains(place) && warning.message.contains("nothing is measured"))
     };
     let found = without(1.1);
     assert_eq!((found.r, found.h, found.noise, found.residual), ([None; 3], [None; 3], [None; 3], [None; 3]));
@@ -134,7 +137,7 @@ fn under_a_lamp(slope: f64) -> Photo {
             curve.at(z) * light([2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0])
         };
         let sum = (0..FACETS).map(facet).fold(Rgb::BLACK, |sum, radiance| sum + radiance);
-        (sum * (0.3 / f64::from(FACETS))).0.map(|value| value as f32)
+        (sum * (0.7 / f64::from(FACETS))).0.map(|value| value as f32)
     };
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
     Photo::from_linear("lamp", width, height, pixels)

@@ -57,18 +57,18 @@ impl Picture {
         let size = self.size();
         let pixel = |column: u32, row: u32| {
             let (x, y) = (f64::from(column), f64::from(row));
-            let is_near = body.normal(x + 0.5, y + 0.5).is_none_or(|[right, down]| {
-                (right.hypot(down) - 1.0).abs() * body.radius() < 2.0
-            });
+            let is_near = body
+                .normal(x + 0.5, y + 0.5)
+                .is_none_or(|[right, down]| (right.hypot(down) - 1.0).abs() * body.radius() < 2.0);
             let rays = if is_near { RAYS } else { 1 };
             let offset = |index: u32| (f64::from(index) + 0.5) / f64::from(rays);
             let points = (0..rays).flat_map(|i| (0..rays).map(move |j| (i, j)));
-            let sum = points.fold(Rgb::BLACK, |sum, (i, j)| {
-                sum + self.radiance(body, &metal, x + offset(i), y + offset(j))
-            });
+            let sum =
+                points.fold(Rgb::BLACK, |sum, (i, j)| sum + self.radiance(body, &metal, x + offset(i), y + offset(j)));
             sum / f64::from(rays * rays)
         };
-        let radiance: Vec<Rgb> = (0..size).flat_map(|y| (0..size).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
+        let radiance: Vec<Rgb> =
+            (0..size).flat_map(|y| (0..size).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
         let camera = Camera { exposure: 0.7, blur_px: self.blur_px, noise: 0.01, seed: self.seed };
         let picture = camera.expose(&radiance, size);
         if self.is_jpeg {

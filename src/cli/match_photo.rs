@@ -239,9 +239,7 @@ impl Matched {
             (None, None) => return String::new(),
         };
         let share = 100.0 * support;
-        format!(
-            "\nFitted: {body}; radius {radius:.2} ± {plus_minus_px:.2} pixels, {share:.0} % of its edge was seen\n"
-        )
+        format!("\nFitted: {body}; radius {radius:.2} ± {plus_minus_px:.2} pixels, {share:.0} % of its edge was seen\n")
     }
 
     fn table(&self) -> Table {

@@ -26,7 +26,7 @@ pub struct Shoot {
 }
 
 impl Shoot {
-    fn of(studio: &Studio) -> Self {
+    pub fn of(studio: &Studio) -> Self {
         Self::with(Window::open(None), studio)
     }
 
@@ -43,7 +43,7 @@ impl Shoot {
         Self { window, photo, path, folder }
     }
 
-    fn marks(&self) -> MatchRequest {
+    pub fn marks(&self) -> MatchRequest {
         self.window.harness.state().state().marks().expect("a photograph is open").clone()
     }
 
@@ -53,14 +53,14 @@ impl Shoot {
     }
 
     /// Where a pixel is on the screen: the view shows the whole photograph, centred.
-    fn on_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
+    pub fn on_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
         let view = self.window.harness.get_by_label(&format!("Photograph {}", self.photo.name)).rect();
         let (width, height) = (self.photo.width as f32, self.photo.height as f32);
         let scale = (view.width() / width).min(view.height() / height);
         view.center() + vec2(x as f32 - width / 2.0, y as f32 - height / 2.0) * scale
     }
 
-    fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
+    pub fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|point| self.on_screen(point));
         self.window.drag(from, to);
     }
@@ -78,7 +78,7 @@ impl Shoot {
     }
 
     /// The match of the library from the marks of the window; the preset must hold exactly its numbers.
-    fn matched(&self) -> Match {
+    pub fn matched(&self) -> Match {
         let found = solve(&self.photo, &self.marks(), RgbSpace::LinRec709).unwrap();
         let preset = self.window.preset();
         for (in_preset, in_library) in [(preset.r, found.complete_r()), (preset.h, found.complete_h())] {
@@ -92,7 +92,7 @@ impl Shoot {
     }
 
     /// Saves the preset, opens it in another window with its photograph, and finds the same numbers.
-    fn assert_reopens(&mut self) {
+    pub fn assert_reopens(&mut self) {
         let path = self.folder.path().join("matched.json");
         self.window.command("Save to path");
         self.window.answer_path(&path);
@@ -107,7 +107,7 @@ impl Shoot {
 }
 
 /// Both within `limit` of the truth, in each channel.
-fn assert_near(found: &Match, studio: &Studio, limit: f64) {
+pub fn assert_near(found: &Match, studio: &Studio, limit: f64) {
     let truth = studio.truth();
     let (r, h) = (largest_error(found.r, truth.r), largest_error(found.h, truth.h));
     assert!(r < limit && h < limit, "r off by {r:.4}, h by {h:.4}");

@@ -9,6 +9,7 @@ mod files;
 mod library;
 mod light_modes;
 mod metals;
+mod outlines;
 mod photograph;
 mod pictures;
 mod planner;

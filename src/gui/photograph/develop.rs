@@ -47,7 +47,8 @@ impl Developer {
     }
 }
 
-fn develop(preview: &Preview, how: Development) -> ColorImage {
+/// The picture of a preview.
+pub(super) fn develop(preview: &Preview, how: Development) -> ColorImage {
     let gain = how.exposure_ev.exp2();
     let pixels = preview.rgb.par_iter().zip(&preview.flags);
     let shown = pixels.map(|(rgb, flags)| {

@@ -97,7 +97,9 @@ impl Mark {
     pub(crate) const fn how_to_draw(self) -> &'static str {
         match self {
             Self::Ball | Self::Reference => "Drag across the ball, from edge to edge. It snaps to the edge.",
-            Self::Cylinder => "Drag over the cylinder, from corner to corner. It snaps to its edges; turn it by its ends.",
+            Self::Cylinder => {
+                "Drag over the cylinder, from corner to corner. It snaps to its edges; turn it by its ends."
+            }
             Self::GreyScale => "Drag along the row from the brightest patch to the darkest, then drag its corners.",
             Self::Facing | Self::Edge => "Drag across the spot to read.",
             _ => "Drag from corner to corner, well inside the edges.",
@@ -280,7 +282,8 @@ mod tests {
     #[test]
     fn a_cylinder_takes_the_place_of_a_ball() {
         let mut request = MatchRequest::default();
-        for (mark, other) in [(Mark::Ball, Mark::Cylinder), (Mark::Cylinder, Mark::Ball), (Mark::Ball, Mark::Cylinder)] {
+        for (mark, other) in [(Mark::Ball, Mark::Cylinder), (Mark::Cylinder, Mark::Ball), (Mark::Ball, Mark::Cylinder)]
+        {
             let shape = mark.first_shape(400, 300);
             request.circle_uncertainty_px = Some(0.1);
             mark.set(&mut request, shape);

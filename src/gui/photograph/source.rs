@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::gui::job::Progress;
-use crate::photo::{Photo, Preview};
+use crate::photo::{FirstLook, OpenOptions, Photo, Preview};
 use crate::sample::Sample;
 
 /// A file, or a photograph that ships with the program.
@@ -35,11 +35,11 @@ impl Source {
         }
     }
 
-    /// Reads it; the sentence of a failure names the file.
-    pub(crate) fn load(&self, progress: &Progress) -> Result<Loaded, String> {
+    /// Reads it, and shows `look` a coarse copy of a large one on the way; the sentence of a failure names the file.
+    pub(crate) fn load(&self, look: &mut (dyn FnMut(FirstLook) + Send), progress: &Progress) -> Result<Loaded, String> {
         let mut report = |fraction| progress.report(fraction * 0.9);
         let photo = match self {
-            Self::File(path) => Photo::open(path, &mut report),
+            Self::File(path) => Photo::open_showing(path, &OpenOptions::default(), look, &mut report),
             Self::Sample(sample) => Photo::from_bytes(&sample.facts.file, sample.bytes, &mut report),
         };
         let photo = photo.map_err(|error| error.to_string())?;

@@ -30,18 +30,15 @@ impl EdgeCurves {
         let start_px = depth_px[0] - MARGIN_PX;
         let count = ((depth_px[1] + MARGIN_PX - start_px) / GRID_PX).ceil() as usize;
         let reach = ((3.0 * blur_px + 0.75) / GRID_PX).ceil() as usize;
-        let kernel: Vec<f64> = (0..=2 * reach)
-            .map(|index| point_spread((index as f64 - reach as f64) * GRID_PX, blur_px))
-            .collect();
+        let kernel: Vec<f64> =
+            (0..=2 * reach).map(|index| point_spread((index as f64 - reach as f64) * GRID_PX, blur_px)).collect();
         let total: f64 = kernel.iter().sum();
         let depth = |index: usize| start_px + (index as f64 + 0.5 - reach as f64) * GRID_PX;
         let sharp: Vec<Row> = (0..count + 2 * reach).map(|index| sharp(depth(index), radius_px)).collect();
         let blurred = |index: usize| {
             let mut sum = [0.0; CURVES];
             for (weight, row) in kernel.iter().zip(&sharp[index..]) {
-                for curve in 0..CURVES {
-                    sum[curve] += weight / total * row[curve];
-                }
+                add(&mut sum, row, weight / total);
             }
             sum
         };
@@ -70,14 +67,17 @@ impl EdgeCurves {
         let mix = |weights: [f64; 4], scale: f64| {
             let mut sum = [0.0; CURVES];
             for (weight, row) in weights.iter().zip(&self.values[index - 1..]) {
-                for curve in 0..CURVES {
-                    sum[curve] += weight * scale * row[curve];
-                }
+                add(&mut sum, row, weight * scale);
             }
             sum
         };
         [mix(value, 1.0), mix(slope, 1.0 / GRID_PX), mix(curvature, 1.0 / (GRID_PX * GRID_PX))]
     }
+}
+
+/// Adds a multiple of one row to another.
+pub(super) fn add(sum: &mut Row, row: &Row, weight: f64) {
+    sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
 }
 
 /// Without blur: a backdrop and its slope beside the body; on it what r and h make of the light, the change of the

@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, Const, Matrix3, SMatrix, SVector, Vector3};
 
-use super::curve::{CURVES, EdgeCurves, Row, STEP};
+use super::curve::{CURVES, EdgeCurves, Row, STEP, add};
 use super::profile::{Bin, Part, Profile};
 use crate::number::median;
 
@@ -41,7 +41,8 @@ impl EdgeFit {
                 .filter_map(|part| Edge::of(part, &curves, change, blur_px, has_step, profile.noise))
                 .collect();
             let next = Self::through(&edges, blur_px)?;
-            let moved = (0..3).map(|i| (next.change[i] - change[i]).abs()).fold((next.blur_px - blur_px).abs(), f64::max);
+            let moved =
+                (0..3).map(|i| (next.change[i] - change[i]).abs()).fold((next.blur_px - blur_px).abs(), f64::max);
             (change, blur_px) = (next.change, next.blur_px);
             fit = Some(next);
             if moved < SETTLED_PX {
@@ -160,11 +161,8 @@ impl Design {
         let weights: Vec<f64> = bins.iter().map(weight).collect();
         let mut normal = [[0.0; CURVES]; CURVES];
         for (row, weight) in rows.iter().zip(&weights) {
-            for i in 0..CURVES {
-                let scaled = weight * row[i];
-                for j in 0..CURVES {
-                    normal[i][j] += scaled * row[j];
-                }
+            for (sums, left) in normal.iter_mut().zip(row) {
+                add(sums, row, weight * left);
             }
         }
         let ridge = RIDGE * (0..CURVES).map(|i| normal[i][i]).sum::<f64>();
@@ -177,10 +175,7 @@ impl Design {
     fn solve(&self, target: impl Fn(usize) -> f64) -> (Row, Vec<f64>) {
         let mut right = [0.0; CURVES];
         for (index, (row, weight)) in self.rows.iter().zip(&self.weights).enumerate() {
-            let scaled = weight * target(index);
-            for i in 0..CURVES {
-                right[i] += scaled * row[i];
-            }
+            add(&mut right, row, weight * target(index));
         }
         let amounts: Row = self.factor.solve(&SVector::from(right)).into();
         let left = self.rows.iter().enumerate().map(|(index, row)| target(index) - dot(&amounts, row)).collect();
@@ -226,9 +221,8 @@ impl Outline {
             }
             let inverse = normal.try_inverse()?;
             (change, variance) = (inverse * right, inverse[(0, 0)]);
-            let beyond = |edge: &Edge| {
-                ((edge.shift - row(edge).dot(&change)).powi(2) - MEDIAN_SQUARE * edge.variance).max(0.0)
-            };
+            let beyond =
+                |edge: &Edge| ((edge.shift - row(edge).dot(&change)).powi(2) - MEDIAN_SQUARE * edge.variance).max(0.0);
             between = median(&mut edges.iter().map(beyond).collect::<Vec<_>>()) / MEDIAN_SQUARE;
         }
         Some(Self { change: change.into(), variance, weights })
@@ -239,9 +233,9 @@ impl Outline {
 pub(super) fn misfit(bins: &[Bin], curves: &EdgeCurves, has_step: bool, noise: f64) -> f64 {
     /// Over the contrast.
     const LENS_SHAPE: f64 = 0.003;
-    let (low, high) = bins.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), bin| {
-        (low.min(bin.value), high.max(bin.value))
-    });
+    let (low, high) = bins
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), bin| (low.min(bin.value), high.max(bin.value)));
     let shape = (LENS_SHAPE * (high - low)).powi(2);
     let noise = noise.max(LEAST_NOISE * LEAST_NOISE);
     let rows = bins.iter().map(|bin| curves.at(bin.depth_px)[0]).collect();

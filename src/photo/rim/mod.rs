@@ -34,15 +34,9 @@ const RECTANGULAR: f64 = 1.732_050_807_568_877_2;
 ///
 /// With a step at the edge and without: whichever the picture supports, or both in part (Buckland, Burnham & Augustin
 /// 1997), since without one the edge is known far better, and with one only if it may be there.
-pub(super) fn fit_rim(
-    photo: &Photo,
-    body: Body,
-    blur_px: f64,
-    leads: &dyn Fn(f64, f64) -> [f64; 2],
-) -> Option<Rim> {
+pub(super) fn fit_rim(photo: &Photo, body: Body, blur_px: f64, leads: &dyn Fn(f64, f64) -> [f64; 2]) -> Option<Rim> {
     let profile = Profile::of(photo, body, leads);
-    let [smooth, stepped] =
-        [false, true].map(|has_step| EdgeFit::of(&profile, body.radius(), has_step, blur_px));
+    let [smooth, stepped] = [false, true].map(|has_step| EdgeFit::of(&profile, body.radius(), has_step, blur_px));
     let share = match (&smooth, &stepped) {
         (Some(smooth), Some(stepped)) => share_of_step(&profile, body.radius(), smooth, stepped),
         (None, _) => 1.0,

@@ -153,7 +153,10 @@ fn unusable(noun: &str, measured: &Measured, regions: &Regions) -> Vec<Warning> 
         let empty = (0..3).filter(|&i| !has_cells(i) && !measured.counts.is_clipped(stratum, i));
         let channels: Vec<&str> = empty.map(|i| CHANNELS[i]).collect();
         (!channels.is_empty()).then(|| {
-            format!("No pixel in the {place} of the {noun} can be used ({}): nothing is measured there.", channels.join(", "))
+            format!(
+                "No pixel in the {place} of the {noun} can be used ({}): nothing is measured there.",
+                channels.join(", ")
+            )
         })
     });
     said.map(|message| Warning::new(WarningCode::NonFinite, message)).collect()

@@ -43,9 +43,10 @@ impl Cells {
             body.sine(x, y).filter(|sine| *sine < FACING_SINE).map_or(f64::NAN, |_| brightness(view, x, y, side))
         };
         let values: Vec<f64> = (0..columns * rows).map(cell).collect();
-        let (sum, count) = values.iter().filter(|value| value.is_finite()).fold((0.0, 0), |(sum, count), value| {
-            (sum + value, count + 1)
-        });
+        let (sum, count) = values
+            .iter()
+            .filter(|value| value.is_finite())
+            .fold((0.0, 0), |(sum, count), value| (sum + value, count + 1));
         let mean = sum / f64::from(count);
         Self { width: columns, values: values.into_iter().map(|value| value / mean).collect() }
     }
@@ -53,12 +54,11 @@ impl Cells {
     /// The largest change between two cells on either side of a third, but for a few: dust is small.
     fn largest_change(&self, cells: usize) -> Option<f64> {
         const DUST: usize = 8;
-        let across = |step: usize| {
-            let pairs = self.values.iter().zip(self.values.get(2 * step..).unwrap_or_default());
-            pairs.map(|(before, after)| (after - before).abs()).filter(|change| change.is_finite())
-        };
-        // A row that ends beside the body ends in NaN: no pair reaches from one row into the next.
-        let mut changes: Vec<f64> = across(cells).chain(across(cells * self.width)).collect();
+        let rows = || self.values.chunks(self.width.max(1));
+        let along = rows().flat_map(|row| row.iter().zip(row.get(2 * cells..).unwrap_or_default()));
+        let down = self.values.iter().zip(self.values.get(2 * cells * self.width..).unwrap_or_default());
+        let changes = along.chain(down).map(|(before, after)| (after - before).abs());
+        let mut changes: Vec<f64> = changes.filter(|change| change.is_finite()).collect();
         let index = changes.len().checked_sub(DUST + 1)?;
         Some(*changes.select_nth_unstable_by(index, f64::total_cmp).1)
     }

@@ -10,19 +10,19 @@ mod view;
 use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui, Vec2};
 
 use crate::gui::command::Action;
-use crate::gui::photograph::Session;
+use crate::gui::photograph::{Reading, Session};
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::widgets::photo_view;
 
-/// A photograph that is being read: its name and how far it is.
-pub(crate) type Reading<'a> = Option<(&'a str, f32)>;
-
 /// Shows the panel beside the preset; `reading` is the photograph on its way.
-pub(crate) fn show(ui: &mut Ui, state: &mut State, reading: Reading, actions: &mut Vec<Action>) {
+pub(crate) fn show(ui: &mut Ui, state: &mut State, reading: Option<&Reading>, actions: &mut Vec<Action>) {
     let space = state.document.space();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         opening::reading_bar(ui, reading, actions);
+        if opening::first_look(ui, reading, theme::PHOTO_HEIGHT) {
+            return;
+        }
         match &mut state.photograph {
             None => opening::empty(ui, &mut state.path, actions),
             Some(session) => {
@@ -38,8 +38,16 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, reading: Reading, actions: &m
 }
 
 /// Shows the page on which the photograph has most of the window.
-pub(crate) fn page(ui: &mut Ui, state: &mut State, reading: Reading, side: Frame, actions: &mut Vec<Action>) {
+pub(crate) fn page(ui: &mut Ui, state: &mut State, reading: Option<&Reading>, side: Frame, actions: &mut Vec<Action>) {
     let space = state.document.space();
+    if reading.is_some_and(|reading| reading.look().is_some()) {
+        CentralPanel::no_frame().frame(side).show(ui, |ui| {
+            opening::reading_bar(ui, reading, actions);
+            let height = (ui.available_height() - theme::ROW - theme::GAP).max(theme::PHOTO_HEIGHT);
+            opening::first_look(ui, reading, height);
+        });
+        return;
+    }
     let Some(session) = &mut state.photograph else {
         CentralPanel::no_frame().frame(side).show(ui, |ui| {
             ui.allocate_ui(Vec2::new(theme::PHOTO_WIDTH, ui.available_height()), |ui| {

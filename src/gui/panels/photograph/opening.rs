@@ -2,16 +2,17 @@
 
 use std::path::PathBuf;
 
-use eframe::egui::{Button, Key, Label, ProgressBar, RichText, TextEdit, Ui, Vec2};
+use eframe::egui::{Button, Image, Key, Label, ProgressBar, RichText, TextEdit, Ui, Vec2};
 
-use super::Reading;
 use crate::gui::command::{Action, Command};
+use crate::gui::photograph::Reading;
 use crate::gui::theme;
 use crate::sample::samples;
 
 /// How far the photograph on its way is.
-pub(super) fn reading_bar(ui: &mut Ui, reading: Reading, actions: &mut Vec<Action>) {
-    let Some((name, progress)) = reading else { return };
+pub(super) fn reading_bar(ui: &mut Ui, reading: Option<&Reading>, actions: &mut Vec<Action>) {
+    let Some(reading) = reading else { return };
+    let (name, progress) = (reading.source().name(), reading.progress());
     ui.horizontal(|ui| {
         let width = ui.available_width() - 76.0;
         ui.add(ProgressBar::new(progress).desired_width(width).text(format!("Reading {name}")));
@@ -19,6 +20,19 @@ pub(super) fn reading_bar(ui: &mut Ui, reading: Reading, actions: &mut Vec<Actio
             actions.push(Action::StopReading);
         }
     });
+}
+
+/// A coarse copy of the photograph on its way, no higher than a height; false where there is none yet.
+pub(super) fn first_look(ui: &mut Ui, reading: Option<&Reading>, height: f32) -> bool {
+    let Some((reading, (texture, size))) = reading.and_then(|reading| Some((reading, reading.look()?))) else {
+        return false;
+    };
+    ui.label(theme::hint("A first look, still reading: nothing is measured in it."));
+    let scale = (ui.available_width() / size.x).min(height / size.y);
+    let name = format!("First look at {}, still reading", reading.source().name());
+    let image = Image::from_texture((texture.id(), size * scale)).alt_text(&name);
+    ui.add(image).accessible_name(name);
+    true
 }
 
 /// What to do where there is no photograph yet.
