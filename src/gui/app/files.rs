@@ -140,23 +140,23 @@ impl App {
     }
 
     pub(super) fn read(&mut self, ctx: &Context, source: Source) {
-        let job = Job::start(ctx, "read photograph", source, |source, progress| source.load(progress));
-        self.reading = self.started(job);
+        let reading = Reading::start(ctx, source);
+        self.reading = self.started(reading);
     }
 
-    pub(super) fn poll_reading(&mut self) {
-        let Some(job) = self.reading.take() else { return };
-        match job.poll() {
-            Poll::Working => self.reading = Some(job),
+    pub(super) fn poll_reading(&mut self, ctx: &Context) {
+        let Some(mut reading) = self.reading.take() else { return };
+        match reading.poll(ctx) {
+            Poll::Working => self.reading = Some(reading),
             Poll::Done(Ok(loaded)) => {
-                let session = Session::new(job.input.clone(), loaded, &self.state.document.preset);
+                let session = Session::new(reading.source().clone(), loaded, &self.state.document.preset);
                 self.state.photograph = Some(session);
                 if self.state.page == Page::Metals {
                     self.state.page = Page::Photograph;
                 }
             }
             Poll::Done(Err(error)) => self.state.notify(NoticeKind::Error, error),
-            Poll::Lost => self.state.notify(NoticeKind::Error, lost("opening", Path::new(&job.input.name()))),
+            Poll::Lost => self.state.notify(NoticeKind::Error, lost("opening", Path::new(&reading.source().name()))),
         }
     }
 

@@ -22,9 +22,7 @@ impl App {
         match self.state.page {
             Page::Author => self.author_page(ui, side, actions),
             Page::Photograph => {
-                let reading = self.reading.as_ref().map(|job| (job.input.name(), job.progress()));
-                let reading = reading.as_ref().map(|(name, progress)| (name.as_str(), *progress));
-                panels::photograph::page(ui, &mut self.state, reading, side, actions);
+                panels::photograph::page(ui, &mut self.state, self.reading.as_ref(), side, actions);
             }
             Page::Metals => panels::metals::show(ui, &mut self.state, actions),
             Page::Demonstrations => panels::demonstrations::show(ui, &mut self.state, actions),
@@ -37,11 +35,9 @@ impl App {
         Panel::right("inspector").frame(side).resizable(false).exact_size(theme::INSPECTOR_WIDTH).show(ui, |ui| {
             panels::inspector::show(ui, &mut self.state, actions);
         });
-        let reading = self.reading.as_ref().map(|job| (job.input.name(), job.progress()));
         let photograph = Panel::left("photograph").frame(side).resizable(true).default_size(theme::PHOTO_WIDTH);
         photograph.size_range(theme::PHOTO_WIDTHS).show(ui, |ui| {
-            let reading = reading.as_ref().map(|(name, progress)| (name.as_str(), *progress));
-            panels::photograph::show(ui, &mut self.state, reading, actions);
+            panels::photograph::show(ui, &mut self.state, self.reading.as_ref(), actions);
         });
         CentralPanel::no_frame().frame(side).show(ui, |ui| panels::curves::show(ui, &mut self.state, actions));
     }

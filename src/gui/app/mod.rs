@@ -17,7 +17,7 @@ use super::export::{Asked, ExportDialog, Failure, Writing};
 use super::file_dialog::FileDialog;
 use super::history::STABLE_SECONDS;
 use super::job::Job;
-use super::photograph::{Loaded, Session, Source};
+use super::photograph::{Reading, Session, Source};
 use super::prompt::Prompt;
 use super::recovery::{LeftBehind, Recovery};
 use super::state::{NoticeKind, Page, State};
@@ -35,7 +35,7 @@ pub struct App {
     dialog: Option<FileDialog>,
     loading: Option<Job<PathBuf, Result<LoadedPreset, String>>>,
     adding: Option<Job<PathBuf, Result<Metal, String>>>,
-    reading: Option<Job<Source, Result<Loaded, String>>>,
+    reading: Option<Reading>,
     saving: Option<Job<Saving, Result<(), String>>>,
     importing: Option<Job<PathBuf, Result<Imported, String>>>,
     export: Option<ExportDialog>,
@@ -118,7 +118,7 @@ impl App {
     }
 
     /// The job, or a notice that the system gives no thread.
-    fn started<I, O>(&mut self, job: std::io::Result<Job<I, O>>) -> Option<Job<I, O>> {
+    fn started<T>(&mut self, job: std::io::Result<T>) -> Option<T> {
         job.inspect_err(|error| self.state.notify(NoticeKind::Error, format!("no thread could be started: {error}")))
             .ok()
     }
@@ -126,7 +126,7 @@ impl App {
     fn poll(&mut self, ctx: &Context) {
         self.poll_dialog(ctx);
         self.poll_loading();
-        self.poll_reading();
+        self.poll_reading(ctx);
         self.poll_adding();
         self.state.planner.poll();
         for failure in self.state.demonstrations.poll_exports() {
