@@ -48,7 +48,7 @@ fn a_rough_cylinder_snaps_to_its_edges() {
     let studio = Studio { cylinder: Some(axis), ..Studio::default() };
     let rough = Cylinder::new([20.0, 127.0], [240.0, 130.0], 97.0);
     let found = snap_cylinder(&studio.photo(), rough).unwrap();
-    assert!((found.cylinder.radius - 104.0).abs() < 0.5 && found.warning().is_none(), "{found:?}");
+    assert!((found.cylinder.radius - 104.0).abs() < 0.15 && found.warning().is_none(), "{found:?}");
     let request = MatchRequest { cylinder: None, ..studio.request() }.with_cylinder(&found);
     assert!(largest_error(studio.solve_as(&request).h, studio.truth().h) < 0.03);
     let unsnapped = MatchRequest { cylinder: Some(rough), ..studio.request() };
@@ -231,7 +231,7 @@ fn the_outline_is_found_on_a_rendered_ball() {
     for found in [snap_circle(&photo, rough).unwrap(), find_ball(&photo).unwrap()] {
         let Circle { x, y, radius } = found.circle;
         let error = (x - 130.0).hypot(y - 128.0).max((radius - 110.0).abs());
-        assert!(error < 0.5, "{found:?}");
+        assert!(error < 0.1, "{found:?}");
     }
 }
 

@@ -125,43 +125,48 @@ fn pictures(backdrop: Backdrop, is_jpeg: bool, count: u64) -> Vec<Picture> {
 
 /// No error of the radius is on one side by more than this on average, in pixels.
 const BIAS_PX: f64 = 0.1;
+/// A ± that covers everything says nothing: of a linear picture and of one with a tone curve, in pixels.
+const WIDEST_PX: [f64; 2] = [0.5, 1.0];
 
 fn assert_honest(what: &str, pictures: &[Picture]) {
     let found: Vec<Found> = pictures.par_iter().map(Picture::snapped).collect();
     let mean = |of: &dyn Fn(&Found) -> f64| found.iter().map(of).sum::<f64>() / found.len() as f64;
     let covered = mean(&|found| f64::from(u8::from(found.error_px.abs() <= found.plus_minus_px)));
     let (bias, width) = (mean(&|found| found.error_px), mean(&|found| found.plus_minus_px));
-    println!("{what}: bias {bias:+.3} px, ± {width:.3} px on average, which covers {:.0} %", 100.0 * covered);
+    let count = pictures.len();
+    println!("{what}, {count}: bias {bias:+.3} px, ± {width:.3} px on average covers {:.0} %", 100.0 * covered);
     assert!(bias.abs() <= BIAS_PX, "{what}: {found:#?}");
     assert!(covered >= 0.9, "{what}: {found:#?}");
-    // A ± that covers everything says nothing.
-    assert!(width <= 0.5, "{what}: {found:#?}");
-    assert!(found.iter().all(|found| found.off_centre_px < 0.3), "{what}: {found:#?}");
+    assert!(width <= WIDEST_PX[usize::from(pictures[0].is_jpeg)], "{what}: {found:#?}");
+    assert!(mean(&|found| found.off_centre_px) < 0.15, "{what}: {found:#?}");
+}
+
+/// Every kind of picture, this many of each.
+fn assert_honest_in(count: u64) {
+    for backdrop in [Backdrop::White, Backdrop::Uneven, Backdrop::Dark, Backdrop::DarkWall] {
+        assert_honest(&format!("{backdrop:?}"), &pictures(backdrop, false, count));
+    }
+    for backdrop in [Backdrop::White, Backdrop::Dark] {
+        assert_honest(&format!("{backdrop:?} in a JPEG"), &pictures(backdrop, true, count));
+    }
 }
 
 #[test]
-fn a_rim_that_fades_into_white_is_where_it_is() {
-    assert_honest("white", &pictures(Backdrop::White, false, 8));
-    assert_honest("uneven", &pictures(Backdrop::Uneven, false, 6));
+fn the_rim_is_where_it_is_and_plus_minus_covers_it() {
+    assert_honest_in(4);
 }
 
 #[test]
-fn a_rim_before_something_dark_is_where_it_is() {
-    assert_honest("dark card", &pictures(Backdrop::Dark, false, 6));
-    assert_honest("dark wall", &pictures(Backdrop::DarkWall, false, 6));
-}
-
-#[test]
-fn a_tone_curve_and_compression_move_it_by_less_than_plus_minus() {
-    assert_honest("JPEG, white", &pictures(Backdrop::White, true, 6));
-    assert_honest("JPEG, dark", &pictures(Backdrop::Dark, true, 6));
+#[ignore = "the full study of the test above: a minute"]
+fn the_rim_is_where_it_is_in_many_pictures() {
+    assert_honest_in(36);
 }
 
 #[test]
 fn a_large_ball_is_found_as_precisely() {
-    let picture = Picture { circle: Circle::new(258.3, 257.9, 249.6), ..pictures(Backdrop::White, false, 1)[0] };
+    let picture = Picture { circle: Circle::new(168.3, 167.9, 159.6), ..pictures(Backdrop::White, false, 1)[0] };
     let found = find_ball(&picture.photo()).unwrap();
-    assert!((found.circle.radius - 249.6).abs() < BIAS_PX, "{found:?}");
+    assert!((found.circle.radius - 159.6).abs() < BIAS_PX, "{found:?}");
     assert!(found.plus_minus_px() < 0.3, "{found:?}");
 }
 

@@ -10,7 +10,7 @@ use crate::gui::command::Action;
 use crate::gui::demonstrations::Piece;
 use crate::gui::document::Document;
 use crate::gui::job::{Job, Poll};
-use crate::gui::photograph::{Session, Source};
+use crate::gui::photograph::{Reading, Session, Source};
 use crate::gui::prompt::Prompt;
 use crate::gui::sheet::{Sheet, SheetKind};
 use crate::gui::state::{NoticeKind, Page};
