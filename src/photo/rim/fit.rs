@@ -13,7 +13,7 @@ pub(super) struct EdgeFit {
     pub change: [f64; 3],
     /// Variance of the first, the radius, from what scatters.
     pub variance: f64,
-    /// Change of the radius if the tone curve is as strong as it may be.
+    /// Change of the radius if there is no tone curve.
     pub by_tone: f64,
     /// What the curves leave over beyond noise, as if it all pushed the same way, in pixels of the radius.
     pub by_misfit: f64,
@@ -81,7 +81,7 @@ struct Edge {
     shift: f64,
     /// Variance of that.
     variance: f64,
-    /// Change of it if the tone curve is as strong as it may be.
+    /// Change of it if there is no tone curve.
     by_tone: f64,
     /// Gradient and curvature of the misfit over the blur.
     blur_pull: f64,
@@ -232,7 +232,7 @@ impl Outline {
 /// What the curves leave over of a mean profile, in squares over their variance: noise, and a lens that is no Gaussian.
 pub(super) fn misfit(bins: &[Bin], curves: &EdgeCurves, has_step: bool, noise: f64) -> f64 {
     /// Over the contrast.
-    const LENS_SHAPE: f64 = 0.003;
+    const LENS_SHAPE: f64 = 0.002;
     let (low, high) = bins
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), bin| (low.min(bin.value), high.max(bin.value)));

@@ -27,7 +27,7 @@ pub(super) struct Rim {
 
 /// What the shape of a lens that is no Gaussian leaves, in pixels.
 const LENS_SHAPE_PX: f64 = 0.04;
-/// √3: a tone curve anywhere between none and the strongest has this much less standard uncertainty.
+/// √3: a tone curve anywhere within reach has this much less standard uncertainty than the reach.
 const RECTANGULAR: f64 = 1.732_050_807_568_877_2;
 
 /// Fits the edge of a body that is marked to about a pixel; `None` where too little of it is seen.
@@ -56,6 +56,9 @@ pub(super) fn fit_rim(photo: &Photo, body: Body, blur_px: f64, leads: &dyn Fn(f6
     })
 }
 
+/// A small ball before a dark card may look like one without a step under a sharper lens: a step is never excluded.
+const LEAST_SHARE_OF_STEP: f64 = 0.2;
+
 /// How likely there is a step at the edge, by the Bayesian information criterion (Schwarz 1978) for one more unknown in
 /// the mean over all parts.
 fn share_of_step(profile: &Profile, radius_px: f64, smooth: &EdgeFit, stepped: &EdgeFit) -> f64 {
@@ -65,5 +68,5 @@ fn share_of_step(profile: &Profile, radius_px: f64, smooth: &EdgeFit, stepped: &
     };
     let pixels: f64 = profile.parts.iter().flat_map(|part| &part.bins).map(|bin| bin.count).sum();
     let gain = left(smooth, false) - left(stepped, true) - pixels.max(1.0).ln();
-    1.0 / (1.0 + (-0.5 * gain).exp())
+    (1.0 / (1.0 + (-0.5 * gain).exp())).max(LEAST_SHARE_OF_STEP)
 }

@@ -40,7 +40,7 @@ pub(super) struct Bin {
     pub depth_px: f64,
     /// Mean brightness.
     pub value: f64,
-    /// Change of that mean if the tone curve is as strong as it may be.
+    /// Change of that mean if there is no tone curve.
     pub tone: f64,
     /// Sum of the squares of the brightness.
     squares: f64,
@@ -162,19 +162,18 @@ fn stretches(body: Body, y: f64, inside_px: f64) -> Vec<[f64; 2]> {
     if inner < 1.0 { vec![[x - outer, x + outer]] } else { vec![[x - outer, x - inner], [x + inner, x + outer]] }
 }
 
-/// Brightness of a pixel, and its change if the tone curve is as strong as it may be; `None` where it is no number.
+/// Brightness of a pixel, and its change if there is no tone curve; `None` where it is no number.
 ///
-/// A curve that lifts the middle moves the half-way point of an edge towards its dark side. Where the picture may have
-/// one, the shoulder (1 − e^(−3x)) / 0.95, which lifts a half to 0.82, is the strongest that is assumed: it is undone
-/// by half, and the other half is uncertainty.
+/// A curve that lifts the middle moves the half-way point of an edge towards its dark side. Cameras have one about as
+/// strong as the shoulder (1 − e^(−3x)) / 0.95, which lifts a half to 0.82; other pictures have none. Where the picture
+/// may have one, 0.6 stands for 0.95, and the difference to none is uncertainty.
 fn brightness(photo: &Photo, column: u32, row: u32) -> Option<[f64; 2]> {
-    const STRONGEST: f64 = 0.95;
+    const STRENGTH: f64 = 0.6;
     let pixel = photo.pixel(column, row).filter(|pixel| !pixel.flags.non_finite)?;
     let luminance = 0.2126 * pixel.rgb[0] + 0.7152 * pixel.rgb[1] + 0.0722 * pixel.rgb[2];
     if photo.is_scene_linear() {
         return Some([luminance, 0.0]);
     }
-    let undone = |strength: f64| -(1.0 - strength * luminance.clamp(0.0, 1.0)).max(1e-3).ln() / strength;
-    let value = undone(0.5 * STRONGEST);
-    Some([value, undone(STRONGEST) - value])
+    let value = -(1.0 - STRENGTH * luminance.clamp(0.0, 1.0)).ln() / STRENGTH;
+    Some([value, luminance - value])
 }
