@@ -517,7 +517,7 @@ mod tests {
         let pixels = (0..200).flat_map(|y| (0..200).map(move |x| pixel(x, y))).collect();
         let photo = Photo::from_linear("rings", 200, 200, pixels);
         for found in [find_ball(&photo).unwrap(), snap_circle(&photo, Circle::new(103.0, 98.0, 67.0)).unwrap()] {
-            assert!((found.circle.radius - 70.4).abs() < 0.2, "{found:?}");
+            assert!((found.circle.radius - 70.4).abs() < 0.25, "{found:?}");
         }
     }
 

@@ -31,8 +31,11 @@ fn across(a: Cylinder, b: Cylinder) -> f64 {
     a.corners().map(|[x, y]| off(x, y)).into_iter().fold(0.0, f64::max)
 }
 
+/// A photograph with its card marked, and the cylinder drawn over it.
 fn drawn() -> Shoot {
     let mut shoot = Shoot::of(&rod());
+    shoot.window.click("Mark: Card");
+    shoot.draw_inside(rod().card);
     shoot.window.click("Mark: Cylinder");
     // Straight, though the cylinder leans a little: its edges turn it.
     shoot.drag([22.0, 27.0], [238.0, 230.0]);
@@ -45,8 +48,6 @@ fn a_cylinder_is_drawn_snaps_and_is_measured() {
     assert!(across(cylinder(&shoot), AXIS) < 0.4, "{:?}", cylinder(&shoot));
     assert!(shoot.marks().circle_uncertainty_px.is_some_and(|uncertainty| uncertainty < 0.25));
     assert!(shoot.window.shows(" % of the edge"));
-    shoot.window.click("Mark: Card");
-    shoot.draw_inside(rod().card);
     assert_eq!(shoot.marks().mode, LightMode::Card);
     assert_near(&shoot.matched(), &rod(), 0.03);
     shoot.assert_reopens();
@@ -109,7 +110,7 @@ fn the_ball_is_found_beside_the_reference() {
 #[test]
 fn a_ball_that_is_not_there_is_said() {
     let reference = Circle::new(130.0, 128.0, 110.0);
-    let mut shoot = Shoot::of(&Studio::default());
+    let mut shoot = Shoot::of(&Studio { card: [2.0, 2.0, 6.0, 6.0], ..Studio::default() });
     shoot.choose(LightMode::ReferenceBall);
     shoot.draw_roughly("Mark: Reference ball", reference);
     shoot.window.click("Find the ball");
