@@ -326,8 +326,11 @@ pub fn find_ball(photo: &Photo) -> Result<Outline, OutlineError> {
 
 /// Finds the ball of a picture that is none of `others`: a reference ball is in the picture, too.
 pub fn find_ball_beside(photo: &Photo, others: &[Circle]) -> Result<Outline, OutlineError> {
-    let small = Reduced::of(photo);
-    let snapped = small.round_shapes().into_iter().filter_map(|rough| steepest_circle(photo, rough).ok());
+    /// A shape of a few reduced pixels is rough: its edge may lie beyond the reach of one radius.
+    const RADII: [f64; 3] = [1.0, 1.15, 0.87];
+    let near = |shape: Circle, factor: f64| steepest_circle(photo, shape.with_radius(factor * shape.radius)).ok();
+    let shapes = Reduced::of(photo).round_shapes();
+    let snapped = shapes.into_iter().filter_map(|shape| RADII.iter().find_map(|factor| near(shape, *factor)));
     let is_other = |outline: &Outline| others.iter().any(|other| overlap(outline.circle, *other));
     let clear = snapped.filter(|outline| !is_other(outline)).map(|outline| (clearness(photo, outline.circle), outline));
     let score = |(clearness, outline): &(f64, Outline)| clearness * outline.circle.radius.sqrt();
@@ -336,9 +339,9 @@ pub fn find_ball_beside(photo: &Photo, others: &[Circle]) -> Result<Outline, Out
     Ok(on_the_rim(photo, best.1))
 }
 
-/// Less than this is what carvings, leaves and cloth give: below 0.1 on a bronze full of curls, above 0.5 on a mirror
-/// ball in a street and on the back of a ladle.
-const LEAST_CLEARNESS: f64 = 0.25;
+/// Less than this is what carvings, leaves and cloth give: up to 0.32 on a bronze full of curls, 0.55 on a mirror ball
+/// in a street and 0.61 on the back of a ladle.
+const LEAST_CLEARNESS: f64 = 0.4;
 
 /// How much more often edges run along a circle than along its neighbours of the same centre: 1 for a lone outline, 0
 /// where a picture is full of edges.
