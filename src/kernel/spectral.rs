@@ -81,11 +81,12 @@ impl Spectral {
 #[inline(always)]
 fn add<T: Real>(sum: &mut [T; 3], angle: Angle<T>, (constants, weights): &Wavelength) {
     let kind = sum[0];
-    let constants = constants.map(
-        #[inline(always)]
-        |x| kind.of(f64::from(x)),
-    );
-    let reflectance = angle.parts(constants).reflectance();
+    // Not `map`: an array of vectors is not passed on in registers where that is a call.
+    let mut vectors = [kind; 6];
+    for (vector, x) in vectors.iter_mut().zip(constants) {
+        *vector = kind.of(f64::from(*x));
+    }
+    let reflectance = angle.parts(vectors).reflectance();
     for (sum, weight) in sum.iter_mut().zip(weights) {
         *sum = reflectance.mul_add(kind.of(f64::from(*weight)), *sum);
     }
