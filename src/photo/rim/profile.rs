@@ -166,9 +166,9 @@ fn stretches(body: Body, y: f64, inside_px: f64) -> Vec<[f64; 2]> {
 ///
 /// A curve that lifts the middle moves the half-way point of an edge towards its dark side. Cameras have one about as
 /// strong as the shoulder (1 − e^(−3x)) / 0.95, which lifts a half to 0.82; other pictures have none. Where the picture
-/// may have one, 0.6 stands for 0.95, and the difference to none is uncertainty.
+/// may have one, 0.45 stands for 0.95, and the difference to none is uncertainty.
 fn brightness(photo: &Photo, column: u32, row: u32) -> Option<[f64; 2]> {
-    const STRENGTH: f64 = 0.6;
+    const STRENGTH: f64 = 0.45;
     let pixel = photo.pixel(column, row).filter(|pixel| !pixel.flags.non_finite)?;
     let luminance = 0.2126 * pixel.rgb[0] + 0.7152 * pixel.rgb[1] + 0.0722 * pixel.rgb[2];
     if photo.is_scene_linear() {
