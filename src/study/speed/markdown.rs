@@ -35,7 +35,7 @@ impl SpeedEvidence {
         let missed: Vec<&str> = of(BarVerdict::Missed).map(|bar| bar.what).collect();
         writeln!(
             out,
-            "\n{} of {} aims are met, {} were not measured. Missed: {}.",
+            "\n{} of {} aims are met, {} not measured. Missed: {}.",
             of(BarVerdict::Met).count(),
             bars.len(),
             of(BarVerdict::NotMeasured).count(),
