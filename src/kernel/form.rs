@@ -122,9 +122,11 @@ pub(super) fn at<T: Real, F: Form<P, N>, const P: usize, const N: usize>(
 ) -> [[T; 3]; N] {
     let shared = form.shared(if F::HOLDS_COSINE { c.limited(0.0, 1.0) } else { c });
     let mut results = [[c; 3]; N];
-    for (channel, parameters) in parameters.into_iter().enumerate() {
-        for (result, value) in results.iter_mut().zip(form.channel(shared, parameters)) {
-            result[channel] = value;
+    // By index: an iterator that owns an array of vectors keeps it in memory.
+    for channel in 0..3 {
+        let values = form.channel(shared, parameters[channel]);
+        for result in 0..N {
+            results[result][channel] = values[result];
         }
     }
     results

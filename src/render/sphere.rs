@@ -126,11 +126,16 @@ fn on_disc(column: f64, row: f64, size: u32) -> (f64, f64) {
     ((column - centre) / radius, (centre - row) / radius)
 }
 
-/// True from θ ≈ 64° outwards, up to the farthest corner of a pixel that the disc can touch.
+/// True from θ ≈ 64° outwards, up to the farthest corner of a pixel that the disc can touch, where a pixel spans so much
+/// of the cosine that its middle does not stand for it.
 fn is_near_rim(column: u32, row: u32, size: u32) -> bool {
+    /// F bends by at most 140 over the cosine: a mean over this much of it is within .001 of its middle.
+    const MOST_COSINE: f64 = 0.0125;
     let (x, y) = on_disc(f64::from(column) + 0.5, f64::from(row) + 0.5, size);
-    let margin = 2.0 / f64::from(size / 2 - 1);
-    (0.9 - margin..1.0 + margin).contains(&x.hypot(y))
+    let pixel = 1.0 / f64::from(size / 2 - 1);
+    let (rho, margin) = (x.hypot(y), 2.0 * pixel);
+    let cosine_of_pixel = rho * pixel / (1.0 - rho * rho).max(0.0).sqrt();
+    (0.9 - margin..1.0 + margin).contains(&rho) && cosine_of_pixel > MOST_COSINE
 }
 
 #[cfg(test)]
