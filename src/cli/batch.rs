@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 
 use super::marks::Marks;
 use super::match_photo::MatchCommand;
-use super::output::{Format, Output, complain, print_line};
+use super::output::{Format, Output, complain, print_line, sentence};
 use super::progress::progress_bar;
 use super::usage;
 use crate::photo::Untagged;
@@ -140,7 +140,7 @@ fn line(command: &MatchCommand, job: &Job, marks: &Marks, task: &Value, results:
     if let Some(known) = results.known(job) {
         return known.clone();
     }
-    let found = matched(command, job, marks).unwrap_or_else(|error| json!({ "error": format!("{error:#}") }));
+    let found = matched(command, job, marks).unwrap_or_else(|error| json!({ "error": sentence(&error) }));
     let mut line = json!({ "path": job.path.display().to_string(), "task": task });
     if let (Some(line), Value::Object(found)) = (line.as_object_mut(), found) {
         line.extend(found);

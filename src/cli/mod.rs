@@ -176,7 +176,7 @@ pub fn fail(error: &anyhow::Error) -> ExitCode {
         output::complain("stopped; nothing was written");
         return ExitCode::from(progress::STOPPED);
     }
-    output::complain(&format!("{error:#}"));
+    output::complain(&output::sentence(error));
     ExitCode::FAILURE
 }
 

@@ -84,6 +84,17 @@ pub fn complain(sentence: &str) {
     let _ = writeln!(io::stderr(), "edgewise: {one_line}");
 }
 
+/// An error and its causes as one sentence; a cause that the sentence holds already is not said again.
+pub fn sentence(error: &anyhow::Error) -> String {
+    let mut sentence = error.to_string();
+    for cause in error.chain().skip(1).map(ToString::to_string) {
+        if !sentence.contains(&cause) {
+            sentence = format!("{sentence}: {cause}");
+        }
+    }
+    sentence
+}
+
 /// A column: its stable name in CSV and JSON, and its title for people, with unit or space.
 #[derive(Clone, Debug)]
 pub struct Column {

@@ -29,7 +29,7 @@ pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
     Ok(text.into_bytes())
 }
 
-/// A number to eight decimals, which is finer than the rows are apart; whole numbers are written five times as fast.
+/// A number to eight decimals, finer than the error between rows: by whole numbers a LUT takes less than half the time.
 struct Fixed(f64);
 
 impl fmt::Display for Fixed {

@@ -51,6 +51,8 @@ fn what_is_no_photograph_is_refused() {
     fs::write(&text, "no picture").unwrap();
     assert!(refusal(1, &["inspect", text.to_str().unwrap()]).contains("text.png"));
     assert!(refusal(1, &["inspect", "no/such.png"]).contains("no/such.png"));
+    let reason = "there is no such file";
+    assert_eq!(refusal(1, &["inspect", "no/such.png"]).matches(reason).count(), 1, "said once");
     assert!(refusal(1, &["inspect", env!("CARGO_MANIFEST_DIR")]).contains("not a file"));
     assert!(refusal(2, &["inspect", "p.png", "--probe", "0.5,1"]).contains("“0.5,1” is no pixel"));
 }
