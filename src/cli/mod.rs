@@ -26,6 +26,7 @@
 //! | `shard` | one of several processes that share a job |
 //! | `source` | what material a subcommand is about |
 //! | `study` | `edgewise study`: the paper's evidence, measured |
+//! | `times` | what every variant takes on this machine |
 
 mod arguments;
 mod batch;
@@ -52,6 +53,7 @@ mod samples;
 mod shard;
 mod source;
 mod study;
+mod times;
 
 use std::ffi::OsString;
 use std::path::PathBuf;

@@ -76,8 +76,8 @@ pub use quantisation::{
 };
 pub use speed::{
     Bar, BarVerdict, BuildTimes, Elsewhere, ErrorTable, ErrorTableInput, ErrorTableMetal, ErrorTableModel, Errors,
-    PythonTimes, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, measured_costs, speed, speed_kernels,
-    speed_summary,
+    Instructions, PythonTimes, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, measured_costs, repeat, speed,
+    speed_kernels, speed_summary,
 };
 pub use spread::{SpreadRow, spread};
 pub use stability::{Fineness, StabilityRow, stability, stability_summary};

@@ -9,6 +9,7 @@ use clap::Args;
 use serde::de::DeserializeOwned;
 
 use super::super::output::{Cell, Format, FormatArguments, Output, Table};
+use super::super::times::caution;
 use super::super::usage;
 use super::shown::with_bar;
 use crate::kernel::{Level, level_id, levels};
@@ -17,7 +18,7 @@ use crate::photo::Plane;
 use crate::preset::pretty_json;
 use crate::scene::{FacingPass, Masks, PlanOptions, SceneMaterial, Source, plan_scene};
 use crate::study::{
-    BuildTimes, Elsewhere, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, no_progress, speed, speed_kernels,
+    Elsewhere, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, no_progress, repeat, speed, speed_kernels,
     speed_summary,
 };
 
@@ -42,6 +43,13 @@ pub(super) struct SpeedCommand {
     /// What scripts/compare_builds.sh wrote, for --evidence
     #[arg(long, value_name = "FILE", requires = "evidence")]
     builds: Option<PathBuf>,
+    /// What scripts/count_instructions.sh wrote, for --evidence
+    #[arg(long, value_name = "FILE", requires = "evidence")]
+    instructions: Option<PathBuf>,
+    /// Instead, run our kernel of this name so many times, unmeasured, for a simulator that counts instructions; prints
+    /// how many evaluations that were. PER is material, pixel, pair or color
+    #[arg(long, num_args = 3, value_names = ["NAME", "PER", "TURNS"], conflicts_with_all = ["kernel", "quick", "evidence"])]
+    repeat: Vec<String>,
     /// Instead, what the table of errors is computed from, as JSON for scripts/compare_accuracy.py
     #[arg(long, exclusive = true)]
     error_table: bool,
@@ -56,7 +64,10 @@ impl SpeedCommand {
             return Ok(Output { text: pretty_json(&serde_json::to_value(input)?), ..Output::default() });
         }
         let options = self.options()?;
-        let warnings = Vec::from_iter(cfg!(debug_assertions).then(|| NOT_OPTIMISED.to_owned()));
+        if let [kernel, per, turns] = self.repeat.as_slice() {
+            return repeated(kernel, per, turns, options.level);
+        }
+        let warnings = Vec::from_iter(caution());
         if self.evidence {
             let elsewhere = self.elsewhere()?;
             let evidence = with_bar(|progress| SpeedEvidence::measure(&options, elsewhere, progress))?;
@@ -89,9 +100,17 @@ impl SpeedCommand {
         Ok(Elsewhere {
             python: self.python.as_deref().map(json).transpose()?,
             builds: self.builds.as_deref().map_or(Ok(Vec::new()), rows)?,
+            instructions: self.instructions.as_deref().map_or(Ok(Vec::new()), rows)?,
             plan_s: Some(plan_s(PASS_SIZE, PLANNED)?),
         })
     }
+}
+
+fn repeated(kernel: &str, per: &str, turns: &str, level: Level) -> anyhow::Result<Output> {
+    let turns = turns.parse().map_err(|_| usage(&format!("--repeat needs a whole number of turns, not “{turns}”")))?;
+    let evaluations = repeat(kernel, per, turns, level)?;
+    let evaluations = evaluations.ok_or_else(|| usage(&format!("there is no kernel “{kernel}” of ours per {per}")))?;
+    Ok(Output { text: format!("{evaluations}\n"), ..Output::default() })
 }
 
 fn kernel(name: &str) -> Result<String, String> {
@@ -100,14 +119,12 @@ fn kernel(name: &str) -> Result<String, String> {
     known.ok_or_else(|| format!("there is no kernel “{name}”; there are: {}", names.join(", ")))
 }
 
-const NOT_OPTIMISED: &str = "this program was built without optimisation: its times say nothing about a release";
-
 fn json<T: DeserializeOwned>(path: &Path) -> anyhow::Result<T> {
     let text = std::fs::read(path).with_context(|| path.display().to_string())?;
     serde_json::from_slice(&text).with_context(|| path.display().to_string())
 }
 
-fn rows(path: &Path) -> anyhow::Result<Vec<BuildTimes>> {
+fn rows<T: DeserializeOwned>(path: &Path) -> anyhow::Result<Vec<T>> {
     let mut reader = csv::Reader::from_path(path).with_context(|| path.display().to_string())?;
     reader.deserialize().collect::<Result<_, _>>().with_context(|| path.display().to_string())
 }

@@ -85,7 +85,7 @@ pub(super) fn bars(evidence: &SpeedEvidence) -> Vec<Bar> {
     let mut bars = vec![
         times("h ÷ Schlick, in cache", 1.6, hoffman(rows)),
         times("F82-tint ÷ Schlick, in cache", 1.6, f82_tint(rows)),
-        Bar::new("h and F82-tint: instructions for one RGB on AVX2, which only a simulator counts", 3.8, None, "", 2),
+        Bar::new("h and F82-tint: instructions of one RGB value on AVX2", 3.8, evidence.most_instructions(), "", 2),
         times("n, k: F and 1 − F ÷ (2 roots + 1 division)", 1.15, conductor(rows)),
         Bar::new("n, k of the library: F", 17.0, Some(evidence.digits.reflectance_ulp), " ULP", 1),
         Bar::in_powers("n, k of the library: 1 − F, relative, to 90°", 6e-7, Some(evidence.digits.absorbed_relative)),

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::digits::{Digits, dielectric_ulp, digits, index_relative};
 use super::error_table::ErrorTable;
-use super::kernels::{TABLE_METALS, TABLE_WAVELENGTHS};
+use super::kernels::{MATERIAL, TABLE_METALS, TABLE_WAVELENGTHS};
 use super::{Bar, SpeedOptions, SpeedRow, speed};
 use crate::color::{RgbSpace, delta_e_rgb};
 use crate::fresnel::CosTheta;
@@ -58,6 +58,8 @@ pub struct Elsewhere {
     pub python: Option<PythonTimes>,
     /// This program built for any processor and for the machine's own.
     pub builds: Vec<BuildTimes>,
+    /// Instructions of our kernels on AVX2.
+    pub instructions: Vec<Instructions>,
     /// Seconds that a plan of 1000 materials on a pass of 4 megapixels took.
     pub plan_s: Option<f64>,
 }
@@ -92,6 +94,17 @@ pub struct BuildTimes {
     pub stock_ns: f64,
     /// Nanoseconds of the one for this machine's.
     pub native_ns: f64,
+}
+
+/// One row of what `scripts/count_instructions.sh` writes.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Instructions {
+    /// See [`SpeedRow`].
+    pub kernel: String,
+    /// See [`SpeedRow`].
+    pub per: String,
+    /// Instructions of one evaluation, loads, stores and the loop among them.
+    pub instructions: f64,
 }
 
 impl BuildTimes {
@@ -130,6 +143,16 @@ impl SpeedEvidence {
     /// What is aimed at, and whether it is reached.
     pub fn bars(&self) -> Vec<Bar> {
         super::bars::bars(self)
+    }
+
+    /// The most instructions that one RGB value of h and of the F82-tint takes on AVX2.
+    pub(super) fn most_instructions(&self) -> Option<f64> {
+        let of = |kernel: &str| {
+            let rows = &self.elsewhere.instructions;
+            let row = rows.iter().find(|row| (row.kernel.as_str(), row.per.as_str()) == (kernel, MATERIAL));
+            row.map(|row| row.instructions)
+        };
+        Some(of("hoffman")?.max(of("f82-tint")?))
     }
 
     /// The middle of how much longer the binary for any processor takes, over our vectors.

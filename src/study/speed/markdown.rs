@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::evidence::{BuildTimes, Machine, PythonTimes, StandIn};
+use super::evidence::{BuildTimes, Instructions, Machine, PythonTimes, StandIn};
 use super::kernels::{BOUND, MATERIAL, OURS, PAIR, PALETTE, PICTURE, PIXEL, TABLE};
 use super::{BarVerdict, SpeedEvidence, SpeedRow, bars};
 
@@ -19,6 +19,7 @@ impl SpeedEvidence {
         writeln!(out, "\n{}", self.machine.sentence(self.rounds))?;
         self.write_bars(out)?;
         self.write_rows(out)?;
+        self.write_instructions(out)?;
         self.write_beside(out)?;
         self.write_stand_ins(out)?;
         self.write_python(out)?;
@@ -68,6 +69,19 @@ impl SpeedEvidence {
                     operations(row)
                 )?;
             }
+        }
+        Ok(())
+    }
+
+    fn write_instructions(&self, out: &mut String) -> fmt::Result {
+        out.push_str("\n## Instructions on AVX2\n\n");
+        let rows = &self.elsewhere.instructions;
+        if rows.is_empty() {
+            return writeln!(out, "Not counted: `scripts/count_instructions.sh` does.");
+        }
+        out.push_str(INSTRUCTIONS);
+        for Instructions { kernel, per, instructions } in rows {
+            writeln!(out, "| {kernel} | {per} | {instructions:.2} |")?;
         }
         Ok(())
     }
@@ -195,6 +209,13 @@ and ratios are between shortest turns. `scalar` is the same text number by numbe
 core, `textbook` what is printed, in the same vectors, `bound` only what a kernel cannot do without. Bytes are those of
 the parameters; operations are issue slots of a shader, 1 for a product with its sum, 4 for a division, a root, a power or
 a read, counted by running the formula (a test holds them against naga's form of the shaders that are exported).
+";
+
+const INSTRUCTIONS: &str = "Of one evaluation, loads, stores and the loop among them, eight values in a vector: counted by a simulator as the difference
+between a long run and a longer one, so that no clock is involved.
+
+| kernel | per | instructions |
+|---|---|---|
 ";
 
 const STAND_INS: &str = "

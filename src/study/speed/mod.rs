@@ -21,7 +21,7 @@ mod rounds;
 
 pub use bars::{Bar, BarVerdict};
 pub use error_table::{ErrorTable, ErrorTableInput, ErrorTableMetal, ErrorTableModel, Errors};
-pub use evidence::{BuildTimes, Elsewhere, PythonTimes, SpeedEvidence};
+pub use evidence::{BuildTimes, Elsewhere, Instructions, PythonTimes, SpeedEvidence};
 
 use std::ops::ControlFlow;
 
@@ -139,6 +139,20 @@ pub fn speed(
     Ok(measured().map(|(kernel, times)| SpeedRow::new(kernel, *times, schlick)).collect())
 }
 
+/// Runs one of our kernels so many times and nothing else, for a simulator that counts instructions; gives the number of
+/// evaluations made, or `None` where there is no such kernel. `per` is what [`SpeedRow::per`] says.
+///
+/// Two runs of different length tell what an evaluation takes: what they have in common is the start of the program.
+pub fn repeat(kernel: &str, per: &str, turns: usize, level: Level) -> Result<Option<usize>, StudyError> {
+    let options = SpeedOptions { level, rounds: 1, kernels: vec![kernel.to_owned()] };
+    let mut kernels = kernels::kernels(&options, &super::no_progress)?;
+    let own = kernels.iter_mut().find(|own| (own.name.as_str(), own.kind, own.per) == (kernel, kernels::OURS, per));
+    Ok(own.map(|own| {
+        (0..turns).for_each(|_| (own.run)());
+        turns * own.evaluations
+    }))
+}
+
 /// The names that [`SpeedOptions::kernels`] takes.
 pub fn speed_kernels() -> Vec<String> {
     kernels::names()
@@ -190,6 +204,14 @@ mod tests {
             kernels: kernels.iter().map(|name| (*name).to_owned()).collect(),
             ..SpeedOptions::default()
         }
+    }
+
+    #[test]
+    fn a_kernel_is_repeated_as_often_as_asked() {
+        let evaluations = |name, per, turns| repeat(name, per, turns, Level::new()).unwrap();
+        assert_eq!(evaluations("hoffman", "material", 3), Some(3 * 1024));
+        assert_eq!(evaluations("hoffman", "pixel", 1), Some(1024));
+        assert_eq!(evaluations("hoffman", "pair", 1), None);
     }
 
     #[test]
