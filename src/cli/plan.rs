@@ -10,6 +10,7 @@ use clap::Args;
 use super::arguments;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
 use super::progress::Progress;
+use super::times::measured;
 use crate::color::RgbSpace;
 use crate::file::read_text;
 use crate::fresnel::h_of_schlick;
@@ -60,9 +61,12 @@ pub struct PlanCommand {
     /// Of which number: max, mean or p95 (what 95 % of the pixels stay within)
     #[arg(long, default_value_t)]
     on: Measure,
-    /// What is spared: real-time (shader operations), offline (time), texture-memory (bytes)
+    /// What is spared: real-time (shader operations), offline (time on this machine), texture-memory (bytes)
     #[arg(long = "for", value_name = "TARGET", default_value_t)]
     target: Target,
+    /// Also say the time that is saved, measured on this machine, which offline always does
+    #[arg(long)]
+    times: bool,
     /// The space of parameters and differences
     #[arg(long, default_value_t)]
     space: RgbSpace,
@@ -98,8 +102,7 @@ impl PlanCommand {
         let (angles, scene) = self.angles(&places, &mut warnings)?;
         let pairs = sources.into_iter().zip(angles);
         let materials: Vec<SceneMaterial> = pairs.map(|(source, angles)| SceneMaterial { source, angles }).collect();
-        let plan = self.plan(&materials, &scene)?;
-        warnings.extend(plan.caution());
+        let plan = self.plan(&materials, &scene, self.costs(&mut warnings)?)?;
         if let Some(path) = &self.output {
             plan.save(path)?;
         }
@@ -112,12 +115,18 @@ impl PlanCommand {
         Ok(Output { text, warnings, ..Output::default() })
     }
 
-    fn plan(&self, materials: &[SceneMaterial], scene: &str) -> anyhow::Result<Plan> {
+    /// What can be counted, and times where they decide or are wanted.
+    fn costs(&self, warnings: &mut Vec<String>) -> anyhow::Result<Costs> {
+        let has_times = self.times || self.target == Target::Offline;
+        if has_times { Ok(measured(warnings)?) } else { Ok(Costs::counted()) }
+    }
+
+    fn plan(&self, materials: &[SceneMaterial], scene: &str, costs: Costs) -> anyhow::Result<Plan> {
         let options = PlanOptions {
             space: self.space,
             tolerance: Tolerance { delta_e: self.tolerance, on: self.on },
             target: self.target,
-            costs: Costs::counted(),
+            costs,
         };
         let progress = Progress::new("Planning");
         Ok(plan_scene(materials, scene, &options, &|share| progress.report(share))?)

@@ -334,12 +334,6 @@ impl Plan {
             if only_r == 1 { "needs" } else { "need" }
         )
     }
-
-    /// What a person should know about the comparison; empty where nothing.
-    pub fn caution(&self) -> Option<String> {
-        (self.target == Target::Offline && !self.has_times)
-            .then(|| "no times were measured, so that operations were compared instead".to_owned())
-    }
 }
 
 /// Whole where it is large, with a decimal where it is small.

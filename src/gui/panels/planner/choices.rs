@@ -120,7 +120,11 @@ fn allowed(ui: &mut Ui, page: &mut PlannerPage) {
     });
     ui.horizontal(|ui| {
         row_label(ui, "Spare");
+        let before = page.target;
         combo(ui, "What is spared", &mut page.target, &Spared::ALL.map(|target| (target, target.label())));
+        if page.target != before && page.target == Spared::Offline && !page.costs().has_times() {
+            page.measure_times(ui.ctx());
+        }
     });
     space(ui, page);
     if page.target == Spared::Offline {
@@ -140,7 +144,8 @@ fn times(ui: &mut Ui, page: &mut PlannerPage, otherwise: &str) {
     };
     ui.add(Label::new(theme::hint(words)).wrap());
     let what = "Measure what every variant takes on this machine, which takes a moment";
-    if ui.button("Measure times").on_hover_text(what).clicked() {
+    let name = if page.costs().has_times() { "Measure again" } else { "Measure times" };
+    if ui.button(name).on_hover_text(what).clicked() {
         page.measure_times(ui.ctx());
     }
 }
@@ -165,6 +170,10 @@ fn traded(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
         row_label(ui, "Materials");
         combo(ui, "What the chart is of", &mut page.trading.of, &TradeOf::ALL);
     });
+    if page.trading.of == TradeOf::Folder {
+        let folder = "The presets of the folder that is open on the page Library";
+        ui.add(Label::new(theme::hint(folder)).wrap());
+    }
     if page.trading.of == TradeOf::Metal {
         ui.horizontal(|ui| {
             row_label(ui, "Metal");
