@@ -85,7 +85,7 @@ impl LibraryPage {
     }
 
     /// The presets of the folder.
-    pub(crate) fn shelf(&self) -> &Shelf {
+    pub(crate) fn shelf(&self) -> &Arc<Shelf> {
         &self.shelf
     }
 

@@ -59,6 +59,20 @@ fn a_pass_with_ids_gives_each_material_its_angles() {
     assert!(unnamed.contains("gold@id:7"), "{unnamed}");
 }
 
+/// Time decides offline, so that it is measured; elsewhere only where it is wanted.
+#[test]
+fn times_are_measured_where_they_decide() {
+    let materials = ["plan", "gold@sphere", "iron@card:0-30", "--json"];
+    let with = |more: &[&str]| json(&[&materials, more].concat());
+    let saved = |plan: &Value| plan["saves"]["measured_ns"].clone();
+    assert_eq!((saved(&with(&[])), &with(&[])["has_times"]), (Value::Null, &Value::Bool(false)));
+    for more in [&["--for", "offline"][..], &["--times"]] {
+        let plan = with(more);
+        let ns = |of: &str| saved(&plan)[of].as_f64().unwrap();
+        assert!(plan["has_times"] == true && 0.0 < ns("planned") && ns("planned") < ns("exact"), "{plan}");
+    }
+}
+
 #[test]
 fn nonsense_is_refused_in_a_sentence() {
     for (arguments, reason) in [
@@ -113,6 +127,30 @@ fn the_trade_is_a_table_and_a_figure() {
 }
 
 #[test]
+fn the_trade_of_a_folder_is_that_of_its_presets() {
+    let folder = tempfile::tempdir().unwrap();
+    let files = ["gold", "copper"].map(|name| folder.path().join(format!("{name}.json")));
+    for file in &files {
+        fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("presets").join(file.file_name().unwrap()), file).unwrap();
+    }
+    let [gold, copper] = files.each_ref().map(|file| file.to_str().unwrap());
+    let of_files = json(&["study", "trade", "--preset", gold, "--preset", copper, "--json"]);
+    let folder_name = folder.path().to_str().unwrap();
+    let rows = |rows: &Value| rows.as_array().unwrap().len();
+    assert!(rows(&of_files) > 15);
+    let of_folder = json(&["study", "trade", "--preset", folder_name, "--json"]);
+    for (ours, theirs) in of_folder.as_array().unwrap().iter().zip(of_files.as_array().unwrap()) {
+        assert_eq!((&ours["variant"], &ours["materials"]), (&theirs["variant"], &Value::from(2)));
+    }
+    fs::write(folder.path().join("other.json"), "{}").unwrap();
+    let beside = edgewise(&["study", "trade", "--preset", folder_name, "--json"]);
+    assert!(beside.status.success() && stderr(&beside).contains("other.json"), "{}", stderr(&beside));
+    let empty = tempfile::tempdir().unwrap();
+    fs::write(empty.path().join("other.json"), "{}").unwrap();
+    assert!(refusal(1, &["study", "trade", "--preset", empty.path().to_str().unwrap()]).contains("preset"));
+}
+
+#[test]
 fn the_speed_of_kernels_is_measured_here() {
     let rows = json(&["study", "speed", "--quick", "--kernel", "hoffman", "--json"]);
     let rows = rows.as_array().unwrap();
@@ -123,6 +161,10 @@ fn the_speed_of_kernels_is_measured_here() {
     assert_eq!(of("schlick", "ours")["times_schlick"], 1.0);
     assert_eq!(of("hoffman", "ours")["shader_operations"], 13);
     assert!(of("hoffman", "textbook")["min_ns"].as_f64().unwrap() > 0.0);
+    let evaluations = edgewise(&["study", "speed", "--repeat", "hoffman", "pixel", "3"]);
+    assert_eq!(String::from_utf8_lossy(&evaluations.stdout).trim(), (3 * 1024).to_string());
+    assert!(refusal(2, &["study", "speed", "--repeat", "hoffman", "pair", "3"]).contains("hoffman"));
+    assert!(refusal(2, &["study", "speed", "--repeat", "hoffman", "pixel", "x"]).contains("whole number"));
     assert!(refusal(2, &["study", "speed", "--kernel", "warp"]).contains("warp"));
     assert!(refusal(2, &["study", "speed", "--instruction-set", "mmx"]).contains("mmx"));
 }

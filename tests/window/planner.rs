@@ -4,7 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
+use edgewise::color::Rgb;
 use edgewise::metal::metal_by_name;
+use edgewise::preset::Preset;
 use edgewise::scene::{Plan, PlanOptions, SceneMaterial, Shape, Source, Target, Tolerance, plan_scene};
 use edgewise::study::{Costs, Measure, Subject, TradeOptions, Variant, no_progress, trade, trade_summary};
 use eframe::egui::{Key, Modifiers, accesskit::Role};
@@ -109,7 +111,7 @@ fn measure_target_and_space_are_those_of_the_planner() {
     assert!(window.shows(&plan.summary()), "{}", plan.summary());
     window.click("What is spared");
     window.click(Target::Offline.label());
-    assert!(window.shows("No times were measured"));
+    assert!(window.shows("Times were measured on this machine") && window.shows(" ns for each pixel"));
 }
 
 #[test]
@@ -266,12 +268,33 @@ fn the_chart_is_the_studys_and_is_saved() {
 #[test]
 fn times_of_this_machine_are_measured_and_count() {
     let mut window = open();
-    window.click("What is spared");
-    window.click(Target::Offline.label());
-    assert!(window.shows("No times were measured") && !window.shows(" ns for each pixel"));
-    window.click("Measure times");
-    assert!(window.shows("Times were measured on this machine") && window.shows(" ns for each pixel"));
+    assert!(!window.shows(" ns for each pixel"));
     window.click("Trade");
+    assert!(window.shows("No times were measured on this machine"));
+    window.click("Measure times");
+    assert!(window.shows("Times were measured on this machine") && window.shows("Measure again"));
     window.click("Measured time");
     assert!(window.shows("ΔE by nanoseconds"));
+}
+
+#[test]
+fn the_chart_is_of_the_folder_that_is_open_in_the_library() {
+    let mut window = open();
+    window.click("Trade");
+    window.click("What the chart is of");
+    window.click("Presets of the library");
+    assert!(window.shows("Open a folder of presets on the page Library"));
+    let folder = tempfile::tempdir().unwrap();
+    let presets = [("one", 0.7), ("two", 0.95)].map(|(name, h)| {
+        let preset = Preset { name: name.to_owned(), r: Rgb::splat(0.6), h: Rgb::splat(h), ..Preset::new_authored() };
+        preset.save(&folder.path().join(format!("{name}.json"))).unwrap();
+        preset
+    });
+    fs::write(folder.path().join("none.json"), "{}").unwrap();
+    window.press(Modifiers::COMMAND, Key::Num5);
+    window.enter("Path of a folder of presets", folder.path().to_str().unwrap());
+    window.press(Modifiers::COMMAND, Key::Num4);
+    let options = TradeOptions::default();
+    let subjects = presets.each_ref().map(|preset| Subject::of_preset(preset).0);
+    assert!(window.shows(&trade_summary(&trade(&subjects, &options, &no_progress).unwrap(), &options)));
 }

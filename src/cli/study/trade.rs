@@ -5,13 +5,15 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::super::output::Output;
+use super::super::preset_files::{Listed, listed};
+use super::super::times::measured;
 use super::material::{MATERIAL_HELP, Material};
 use super::named_or_preferred;
 use super::shown::{Shown, with_bar};
 use crate::color::RgbSpace;
 use crate::figure::trade_figure;
 use crate::preset::{Preset, built_in_presets};
-use crate::study::{CostAxis, Costs, Measure, Subject, TradeOptions, measured_costs, trade, trade_summary};
+use crate::study::{CostAxis, Costs, Measure, Subject, TradeOptions, trade, trade_summary};
 
 /// Arguments of `edgewise study trade`.
 #[derive(Debug, Args)]
@@ -24,8 +26,8 @@ pub(super) struct TradeCommand {
     /// The built-in presets
     #[arg(long, conflicts_with_all = ["material", "preset"])]
     presets: bool,
-    /// A preset of yours; may be given again
-    #[arg(long, value_name = "FILE", conflicts_with = "material")]
+    /// A preset of yours, or a folder of them; may be given again
+    #[arg(long, value_name = "PATH", conflicts_with = "material")]
     preset: Vec<PathBuf>,
     /// The cost: shader-operations, parameter-bytes, or measured-ns on this machine
     #[arg(long, default_value_t)]
@@ -42,12 +44,12 @@ pub(super) struct TradeCommand {
 
 impl TradeCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
+        let mut warnings = Vec::new();
         let costs = match self.cost {
-            CostAxis::MeasuredNs => with_bar(|progress| measured_costs(progress))?,
+            CostAxis::MeasuredNs => measured(&mut warnings)?,
             CostAxis::ShaderOperations | CostAxis::ParameterBytes => Costs::counted(),
         };
         let options = TradeOptions { space: self.space, cost: self.cost, measure: self.on, costs };
-        let mut warnings = Vec::new();
         let presets = self.presets(&mut warnings)?;
         let material = Material::read(&self.material, self.space, &mut warnings);
         let (name, subjects) = if self.all {
@@ -68,12 +70,21 @@ impl TradeCommand {
             return Ok(built_in_presets().to_vec());
         }
         let mut presets = Vec::new();
-        for path in &self.preset {
-            let loaded = Preset::load(path)?;
+        for Listed { path, is_of_folder } in listed(&self.preset)? {
+            let loaded = match Preset::load(&path) {
+                Ok(loaded) => loaded,
+                // Other files may lie beside presets.
+                Err(error) if is_of_folder => {
+                    warnings.push(format!("left out: {error}"));
+                    continue;
+                }
+                Err(error) => return Err(error.into()),
+            };
             warnings.extend(loaded.warnings);
             warnings.extend(Subject::of_preset(&loaded.preset).1.map(|note| format!("{}: {note}", loaded.preset.name)));
             presets.push(loaded.preset);
         }
+        anyhow::ensure!(self.preset.is_empty() || !presets.is_empty(), "none of the files is a preset");
         Ok(presets)
     }
 }

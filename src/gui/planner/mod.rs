@@ -25,7 +25,7 @@ use super::job::{Job, Poll};
 use crate::color::RgbSpace;
 use crate::export;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
-use crate::preset::Preset;
+use crate::preset::{Preset, Shelf};
 use crate::scene::{Shape, Target, Tolerance};
 use crate::study::{Costs, measured_costs};
 
@@ -391,9 +391,14 @@ impl PlannerPage {
     }
 
     /// The newest chart there is, and sees to it that the one asked for follows.
-    pub(crate) fn follow_chart(&mut self, ctx: &Context, open: &Preset) -> Option<Told<Arc<Chart>>> {
+    pub(crate) fn follow_chart(
+        &mut self,
+        ctx: &Context,
+        open: &Preset,
+        shelf: &Arc<Shelf>,
+    ) -> Option<Told<Arc<Chart>>> {
         let scene = if self.trading.of == TradeOf::Scene { self.resolved(open) } else { Vec::new() };
-        let told = self.trading.follow(ctx, scene, self.space, &self.costs);
+        let told = self.trading.follow(ctx, scene, shelf, (self.space, &self.costs));
         self.chart = told.as_ref().and_then(|told| told.as_ref().ok().cloned());
         told
     }

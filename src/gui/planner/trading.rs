@@ -9,8 +9,9 @@ use super::material::Resolved;
 use crate::color::RgbSpace;
 use crate::figure::{ScatterFigure, trade_figure};
 use crate::gui::demonstrations::{Latest, Told};
+use crate::gui::job::Progress;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
-use crate::preset::built_in_presets;
+use crate::preset::{Preset, Shelf, built_in_presets};
 use crate::study::{
     CostAxis, Costs, Measure, Subject, TradeErrors, TradeOptions, TradeRow, rows_to_csv, trade_summary,
 };
@@ -24,16 +25,19 @@ pub(crate) enum TradeOf {
     Scene,
     /// The presets that ship with the program.
     Presets,
+    /// The presets of the folder that is open on the page of the library.
+    Folder,
     /// Every metal of the library, by its preferred data set.
     AllMetals,
 }
 
 impl TradeOf {
     /// Every choice with its name.
-    pub(crate) const ALL: [(Self, &'static str); 4] = [
+    pub(crate) const ALL: [(Self, &'static str); 5] = [
         (Self::Metal, "One metal"),
         (Self::Scene, "Materials of the plan"),
         (Self::Presets, "Built-in presets"),
+        (Self::Folder, "Presets of the library"),
         (Self::AllMetals, "All metals"),
     ];
 }
@@ -48,6 +52,7 @@ pub(crate) struct Trading {
     pub cost: CostAxis,
     /// The vertical axis.
     pub measure: Measure,
+    folders: Latest<Same<Shelf>, Told<Arc<Vec<Resolved>>>>,
     errors: Latest<(String, Vec<Resolved>, RgbSpace), Told<Arc<Traded>>>,
     chart: Latest<ChartAsked, Arc<Chart>>,
 }
@@ -104,6 +109,7 @@ impl Default for Trading {
             metal: metal_by_name("gold").expect("the library has gold"),
             cost: CostAxis::default(),
             measure: Measure::default(),
+            folders: Latest::default(),
             errors: Latest::default(),
             chart: Latest::default(),
         }
@@ -112,7 +118,7 @@ impl Default for Trading {
 
 impl Trading {
     pub(super) fn is_busy(&self) -> bool {
-        self.errors.is_busy() || self.chart.is_busy()
+        self.folders.is_busy() || self.errors.is_busy() || self.chart.is_busy()
     }
 
     /// How much of a study of many materials is done, 0 to 1.
@@ -125,8 +131,8 @@ impl Trading {
         &mut self,
         ctx: &Context,
         scene: Vec<Resolved>,
-        space: RgbSpace,
-        costs: &Costs,
+        shelf: &Arc<Shelf>,
+        (space, costs): (RgbSpace, &Costs),
     ) -> Option<Told<Arc<Chart>>> {
         let (name, materials) = match self.of {
             TradeOf::Metal => (self.metal.name.clone(), vec![Resolved::Metal(self.metal)]),
@@ -135,10 +141,18 @@ impl Trading {
                 let presets = built_in_presets();
                 (counted(presets.len(), "preset"), presets.iter().map(Resolved::BuiltIn).collect())
             }
+            TradeOf::Folder => match self.follow_folder(ctx, shelf)? {
+                Ok(presets) => (counted(presets.len(), "preset"), presets.to_vec()),
+                Err(error) => return Some(Err(error)),
+            },
             TradeOf::AllMetals => ("All metals".to_owned(), preferred_metals().map(Resolved::Metal).collect()),
         };
         if materials.is_empty() {
-            return Some(Err("There is no material in the plan".to_owned()));
+            let missing = match self.of {
+                TradeOf::Folder => "Open a folder of presets on the page Library",
+                _ => "There is no material in the plan",
+            };
+            return Some(Err(missing.to_owned()));
         }
         let traded = self.errors.of(ctx, "trade", (name, materials, space), |(name, materials, space), progress| {
             let subjects: Vec<Subject> = materials.iter().map(Resolved::subject).collect();
@@ -153,6 +167,25 @@ impl Trading {
         let asked = ChartAsked { traded: Same(traded), cost: self.cost, measure: self.measure, costs: costs.clone() };
         self.chart.of(ctx, "trade chart", asked, |asked, _| Arc::new(Chart::of(&asked))).cloned().map(Ok)
     }
+
+    fn follow_folder(&mut self, ctx: &Context, shelf: &Arc<Shelf>) -> Option<Told<Arc<Vec<Resolved>>>> {
+        let read = |Same(shelf): Same<Shelf>, progress: &Progress| presets_of(&shelf, progress);
+        self.folders.of(ctx, "read presets", Same(shelf.clone()), read).cloned()
+    }
+}
+
+/// The presets of a folder; a list holds too little of them.
+fn presets_of(shelf: &Shelf, progress: &Progress) -> Told<Arc<Vec<Resolved>>> {
+    let mut presets = Vec::new();
+    for (index, item) in shelf.items().iter().enumerate() {
+        if progress.report(index as f32 / shelf.items().len() as f32).is_break() {
+            return Err("Reading the folder was stopped".to_owned());
+        }
+        let loaded = Preset::load(&item.path);
+        // What is no preset is said on the page of the library.
+        presets.extend(loaded.ok().map(|loaded| Resolved::Preset(Arc::new(loaded.preset))));
+    }
+    Ok(Arc::new(presets))
 }
 
 fn counted(count: usize, what: &str) -> String {

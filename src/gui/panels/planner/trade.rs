@@ -15,8 +15,8 @@ const BELOW: f32 = 40.0;
 
 /// Shows the chart.
 pub(super) fn show(ui: &mut Ui, state: &mut State) {
-    let State { planner: page, document, .. } = state;
-    match page.follow_chart(ui.ctx(), &document.preset) {
+    let State { planner: page, document, library, .. } = state;
+    match page.follow_chart(ui.ctx(), &document.preset, library.shelf()) {
         Some(Ok(chart)) => {
             sentence(ui, &chart.summary, &[]);
             draw(ui, &chart);
