@@ -24,6 +24,7 @@ mod prompt;
 mod recovery;
 mod renderer;
 mod run;
+mod settings;
 mod sheet;
 mod spheres;
 mod state;

@@ -12,6 +12,7 @@ use thiserror::Error;
 use super::app::App;
 use super::recovery;
 use super::renderer::Renderer;
+use super::settings;
 use super::theme;
 use crate::sample::Sample;
 
@@ -73,6 +74,9 @@ fn attempt(options: &Options, renderer: eframe::Renderer) -> Result<(), Failure>
             let mut app = App::new(&cc.egui_ctx, path);
             if let Some(folder) = recovery::folder() {
                 app.keep_unsaved_work_in(&folder);
+            }
+            if let Some(path) = settings::path() {
+                app.keep_settings_in(&cc.egui_ctx, path);
             }
             if let Some(sample) = sample {
                 app.open_sample(&cc.egui_ctx, sample);

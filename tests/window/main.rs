@@ -14,5 +14,6 @@ mod photograph;
 mod pictures;
 mod planner;
 mod recovery;
+mod settings;
 #[path = "../studio/mod.rs"]
 mod studio;

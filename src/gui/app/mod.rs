@@ -6,6 +6,7 @@ mod files;
 mod layout;
 mod planning;
 mod questions;
+mod settings;
 mod unsaved;
 
 use std::path::PathBuf;
@@ -20,6 +21,7 @@ use super::job::Job;
 use super::photograph::{Reading, Session, Source};
 use super::prompt::Prompt;
 use super::recovery::{LeftBehind, Recovery};
+use super::settings::SettingsFile;
 use super::state::{NoticeKind, Page, State};
 use super::theme;
 use crate::import::Imported;
@@ -47,6 +49,7 @@ pub struct App {
     after_saving: Option<Action>,
     may_close: bool,
     recovery: Option<Recovery>,
+    settings: Option<SettingsFile>,
     left_behind: Vec<LeftBehind>,
 }
 
@@ -70,6 +73,7 @@ impl App {
             after_saving: None,
             may_close: false,
             recovery: None,
+            settings: None,
             left_behind: Vec::new(),
         };
         app.state.view.metal = metal_by_name("gold").ok();
@@ -102,6 +106,7 @@ impl App {
             self.writing.is_some(),
             self.dialog.is_some(),
             self.recovery.as_ref().is_some_and(Recovery::is_busy),
+            self.settings.as_ref().is_some_and(SettingsFile::is_busy),
             self.export.as_ref().is_some_and(ExportDialog::is_busy),
             state.photograph.as_ref().is_some_and(Session::is_busy),
             state.spheres.is_busy(),
@@ -160,6 +165,9 @@ impl App {
             ctx.request_repaint_after_secs(STABLE_SECONDS);
         } else if !is_pointer_down {
             self.keep_unsaved_work(ctx);
+        }
+        if !is_pointer_down {
+            self.keep_settings(ctx);
         }
     }
 }

@@ -4,11 +4,9 @@ use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Label, PopupCloseBehavior, Slider, SliderClamping, Ui};
 
 use crate::gui::preview::{Rung, within};
+use crate::gui::settings::BUDGETS_MS;
 use crate::gui::spheres::Spheres;
 use crate::gui::theme;
-
-/// Milliseconds that a person can allow.
-const BUDGETS: std::ops::RangeInclusive<f64> = 1.0..=200.0;
 
 /// A menu with the slider of the budget, and the error it costs.
 pub(crate) fn menu(ui: &mut Ui, spheres: &mut Spheres, budget_ms: &mut f64) {
@@ -17,7 +15,7 @@ pub(crate) fn menu(ui: &mut Ui, spheres: &mut Spheres, budget_ms: &mut f64) {
         ui.set_width(theme::PREVIEW_MENU);
         ui.label(theme::title("While something moves"));
         ui.spacing_mut().slider_width = theme::PREVIEW_MENU - 80.0;
-        let slider = Slider::new(budget_ms, BUDGETS).logarithmic(true).suffix(" ms").max_decimals(0);
+        let slider = Slider::new(budget_ms, BUDGETS_MS).logarithmic(true).suffix(" ms").max_decimals(0);
         let slider = slider.clamping(SliderClamping::Edits);
         ui.add(slider).on_hover_text("How long a picture may take").accessible_name("Preview quality");
         let rungs = spheres.measured(ui.ctx());
