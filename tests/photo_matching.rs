@@ -11,18 +11,24 @@ use edgewise::photo::{
 use edgewise::sample::{Camera, Tent};
 use studio::{Stored, Studio, codes, covered, inside, largest_error};
 
-/// The bar of the project: at R ≥ 100 px and 1 % noise, mode C in even light finds r within .01 and h within .02.
+/// The bar of the project: at R ≥ 100 px and 1 % noise, mode C in even light finds r within .01 and h within .02, warns
+/// of nothing but the gamut, and its ± holds the truth.
+fn meets_the_bar(studio: &Studio) {
+    let metal = studio.metal;
+    let (found, truth) = (studio.solve(), studio.truth());
+    let (r, h) = (largest_error(found.r, truth.r), largest_error(found.h, truth.h));
+    println!("{metal}: r off by {r:.4}, h by {h:.4}");
+    assert!(r < 0.01 && h < 0.02, "{metal}: {r} {h}\n{found:#?}");
+    assert!(codes(&found).iter().all(|code| *code == WarningCode::Gamut), "{metal}: {:?}", found.warnings);
+    assert_eq!(covered(found.r, found.r_uncertainty, truth.r), 3, "{metal}");
+    assert_eq!(covered(found.h, found.h_uncertainty, truth.h), 3, "{metal}");
+}
+
 #[test]
 fn an_even_tent_gives_r_and_h() {
     for metal in ["chromium", "gold", "copper", "aluminium", "titanium", "iron", "tungsten", "nickel"] {
         let studio = Studio { metal, ..Studio::default() };
-        let (found, truth) = (studio.solve(), studio.truth());
-        let (r, h) = (largest_error(found.r, truth.r), largest_error(found.h, truth.h));
-        println!("{metal}: r off by {r:.4}, h by {h:.4}");
-        assert!(r < 0.01 && h < 0.02, "{metal}: {r} {h}\n{found:#?}");
-        assert!(codes(&found).iter().all(|code| *code == WarningCode::Gamut), "{metal}: {:?}", found.warnings);
-        assert_eq!(covered(found.r, found.r_uncertainty, truth.r), 3, "{metal}");
-        assert_eq!(covered(found.h, found.h_uncertainty, truth.h), 3, "{metal}");
+        meets_the_bar(&studio);
     }
 }
 
@@ -32,13 +38,7 @@ fn a_cylinder_gives_r_and_h() {
     let axis = Cylinder::new([20.0, 122.0], [240.0, 134.0], 104.0);
     for metal in ["chromium", "gold", "copper"] {
         let studio = Studio { metal, cylinder: Some(axis), ..Studio::default() };
-        let (found, truth) = (studio.solve(), studio.truth());
-        let (r, h) = (largest_error(found.r, truth.r), largest_error(found.h, truth.h));
-        println!("{metal}: r off by {r:.4}, h by {h:.4}");
-        assert!(r < 0.01 && h < 0.02, "{metal}: {r} {h}\n{found:#?}");
-        assert!(codes(&found).iter().all(|code| *code == WarningCode::Gamut), "{metal}: {:?}", found.warnings);
-        assert_eq!(covered(found.r, found.r_uncertainty, truth.r), 3, "{metal}");
-        assert_eq!(covered(found.h, found.h_uncertainty, truth.h), 3, "{metal}");
+        meets_the_bar(&studio);
     }
 }
 

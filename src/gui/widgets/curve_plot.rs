@@ -2,11 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Color32, Id, Pos2, Rangef, Rect, Sense, Ui, Vec2, pos2};
-use egui_plot::{
-    AxisHints, FilledArea, GridInput, GridMark, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, VLine,
-};
+use eframe::egui::{Color32, Id, Pos2, Rect, Sense, Ui, Vec2, pos2};
+use egui_plot::{FilledArea, Line, LineStyle, PlotPoint, PlotPoints, PlotUi, VLine};
 
+use super::angle_plot::angle_plot;
 use super::channel_names;
 use crate::color::Rgb;
 use crate::fresnel::THETA_MAX_DEG;
@@ -71,34 +70,12 @@ impl CurvePlot<'_> {
         let (start, end) = (*self.range_deg.start(), *self.range_deg.end());
         let background = ui.visuals().extreme_bg_color;
         ui.visuals_mut().extreme_bg_color = palette.canvas;
-        let response = Plot::new("reflectance over angle")
+        let step_deg = if end - start > 45.0 { 10.0 } else { 5.0 };
+        let label = |value: f64| format!("{value:.1}");
+        let response = angle_plot("reflectance over angle", (step_deg, 0.2), label, palette)
             .height(self.height)
             .default_x_bounds(start, end)
             .default_y_bounds(*bounds_y.start(), *bounds_y.end())
-            .allow_zoom(false)
-            .allow_drag(false)
-            .allow_scroll(false)
-            .allow_boxed_zoom(false)
-            .allow_axis_zoom_drag(false)
-            .allow_double_click_reset(false)
-            .show_x(false)
-            .show_y(false)
-            .show_crosshair(false)
-            .sense(Sense::hover())
-            .x_grid_spacer(move |input| grid(input, if end - start > 45.0 { 10.0 } else { 5.0 }))
-            .y_grid_spacer(|input| grid(input, 0.2))
-            .custom_x_axes(vec![
-                AxisHints::new_x().label_spacing(LABEL_SPACING).formatter(|mark, _| format!("{:.0}°", mark.value)),
-            ])
-            .custom_y_axes(vec![
-                AxisHints::new_y()
-                    .min_thickness(theme::AXIS_WIDTH)
-                    .label_spacing(LABEL_SPACING)
-                    .formatter(|mark, _| format!("{:.1}", mark.value)),
-            ])
-            .grid_color(palette.grid)
-            .grid_fade(0.0)
-            .label_formatter(|_| None)
             .show(ui, |plot| {
                 plot.set_plot_bounds_x(start..=end);
                 plot.set_plot_bounds_y(bounds_y.clone());
@@ -202,16 +179,6 @@ fn paint_handle(ui: &Ui, frame: Rect, dot: Pos2, colour: Color32, is_near: bool)
     let radius = if is_near { theme::HANDLE_RADIUS } else { theme::HANDLE_RADIUS - 1.5 };
     let painter = ui.painter().with_clip_rect(frame.expand(theme::HANDLE_RADIUS + 1.0));
     painter.circle(dot, radius, colour, eframe::egui::Stroke::new(1.5, Palette::of(ui).canvas));
-}
-
-/// Points between marks of an axis from which its numbers fade in, and at which they are whole.
-pub(super) const LABEL_SPACING: Rangef = Rangef { min: 18.0, max: 28.0 };
-
-pub(super) fn grid(input: GridInput, step: f64) -> Vec<GridMark> {
-    let (low, high) = input.bounds;
-    let first = (low / step).ceil() as i64;
-    let last = (high / step).floor() as i64;
-    (first..=last).map(|index| GridMark { value: index as f64 * step, step_size: step }).collect()
 }
 
 fn curve_line<'p>(line: &PlotLine, channel: usize, colour: Color32) -> Line<'p> {

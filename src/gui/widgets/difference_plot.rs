@@ -2,12 +2,12 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Align2, Color32, Sense, TextStyle, Ui, vec2};
-use egui_plot::{AxisHints, Line, LineStyle, Plot, PlotPoints, VLine};
+use eframe::egui::{Align2, Color32, TextStyle, Ui, vec2};
+use egui_plot::{Line, LineStyle, PlotPoints, VLine};
 
-use super::curve_plot::{LABEL_SPACING, grid};
+use super::angle_plot::angle_plot;
 use crate::fresnel::THETA_MAX_DEG;
-use crate::gui::theme::{self, Palette};
+use crate::gui::theme::Palette;
 use crate::gui::truth::curve_angles_deg;
 
 /// The difference of one model from the truth.
@@ -36,32 +36,8 @@ pub(crate) fn difference_plot(
     let step = step_for(top);
     let background = std::mem::replace(&mut ui.visuals_mut().extreme_bg_color, palette.canvas);
     let (start, end) = (*range_deg.start(), *range_deg.end());
-    let response = Plot::new("difference over angle")
+    let response = angle_plot("difference over angle", (10.0, step), |value| value.to_string(), palette)
         .height(height)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_axis_zoom_drag(false)
-        .allow_double_click_reset(false)
-        .show_x(false)
-        .show_y(false)
-        .show_crosshair(false)
-        .sense(Sense::hover())
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
-        .x_grid_spacer(|input| grid(input, 10.0))
-        .y_grid_spacer(move |input| grid(input, step))
-        .custom_x_axes(vec![
-            AxisHints::new_x().label_spacing(LABEL_SPACING).formatter(|mark, _| format!("{:.0}°", mark.value)),
-        ])
-        .custom_y_axes(vec![
-            AxisHints::new_y()
-                .min_thickness(theme::AXIS_WIDTH)
-                .label_spacing(LABEL_SPACING)
-                .formatter(|mark, _| format!("{}", mark.value)),
-        ])
-        .label_formatter(|_| None)
         .show(ui, |plot| {
             plot.set_plot_bounds_x(start..=end);
             plot.set_plot_bounds_y(0.0..=top);

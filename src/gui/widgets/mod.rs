@@ -1,5 +1,6 @@
 //! The parts that panels are made of.
 
+mod angle_plot;
 mod colour_field;
 mod colour_slider;
 mod curve_plot;
