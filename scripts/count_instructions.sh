@@ -32,8 +32,8 @@ mkdir -p "$(dirname "$out")"
     echo "kernel,per,instructions"
     while read -r kernel per; do
         echo "counting $kernel per $per" >&2
-        read -r -d '' few few_evaluations < <(instructions "$kernel" "$per" 1000) || true
-        read -r -d '' many many_evaluations < <(instructions "$kernel" "$per" 5000) || true
+        read -r -d '' few few_evaluations < <(instructions "$kernel" "$per" 50) || true
+        read -r -d '' many many_evaluations < <(instructions "$kernel" "$per" 150) || true
         awk -v i=$((many - few)) -v n=$((many_evaluations - few_evaluations)) \
             -v name="$kernel,$per" 'BEGIN { printf "%s,%.4f\n", name, i / n }'
     done <<'KERNELS'

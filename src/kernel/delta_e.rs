@@ -55,7 +55,7 @@ pub fn delta_e<T: Real>([l1, a1, b1]: [T; 3], [l2, a2, b2]: [T; 3]) -> T {
 /// [`delta_e`] at every pair; the shortest slice ends it.
 pub fn delta_e_over(level: Level, x: [&[f32]; 3], y: [&[f32]; 3], out: &mut [f32]) {
     let pairs: Planes<'_, 2> = [x, y];
-    dispatch!(level, simd => each_chunk(simd, (x[0], pairs), [[out]],
+    dispatch!(level, simd => each_chunk(simd, 1, (x[0], pairs), [[out]],
         #[inline(always)] |_, [l, a, b]| [[delta_e([l[0], a[0], b[0]], [l[1], a[1], b[1]])]]));
 }
 

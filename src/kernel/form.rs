@@ -1,5 +1,7 @@
 //! A formula, and the loop that runs it over slices.
 
+use std::ops::Range;
+
 use fearless_simd::{Level, Simd, dispatch};
 
 use super::lanes::Lanes;
@@ -16,6 +18,9 @@ pub trait Form<const P: usize, const N: usize = 1>: Copy {
     /// How large a parameter of a pixel may be, either way; beyond, it is held there. `None` where the form itself holds
     /// them, and for a textbook form, which takes what comes.
     const HOLDS_PIXELS: Option<f64> = None;
+
+    /// Vectors between two looks at the ends of the slices: more than one where looking takes as long as the formula.
+    const STEPS: usize = 1;
 
     /// What depends only on the angle.
     type Shared<T: Real>: Copy;
@@ -70,6 +75,7 @@ impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
         let constants = self.constants(Lanes::splat(simd, 0.0));
         each_chunk(
             simd,
+            F::STEPS,
             (cosines, []),
             out,
             #[inline(always)]
@@ -99,7 +105,7 @@ pub fn over_pixels<F: Form<P, N>, const P: usize, const N: usize>(
     (cosines, parameters): (&[f32], Planes<'_, P>),
     out: [[&mut [f32]; 3]; N],
 ) {
-    dispatch!(level, simd => each_chunk(simd, (cosines, parameters), out,
+    dispatch!(level, simd => each_chunk(simd, F::STEPS, (cosines, parameters), out,
         #[inline(always)] |c, p| at(form, held_pixels::<_, F, P, N>(p), c)));
 }
 
@@ -134,45 +140,89 @@ pub(super) fn at<T: Real, F: Form<P, N>, const P: usize, const N: usize>(
 
 /// Calls `f` with a cosine and P parameters of each channel, as many pixels at a time as there are lanes, and writes
 /// its N results of M channels. The shortest slice ends it.
+///
+/// The ends of the slices are looked at once for every `steps` vectors, see [`Form::STEPS`].
 #[inline(always)]
 pub(super) fn each_chunk<S: Simd, const P: usize, const M: usize, const N: usize>(
     simd: S,
+    steps: usize,
     (cosines, parameters): (&[f32], Planes<'_, P>),
     mut out: [[&mut [f32]; M]; N],
     f: impl Fn(Lanes<S>, [[Lanes<S>; P]; 3]) -> [[Lanes<S>; M]; N],
 ) {
     let count = shortest(cosines, &parameters, &out);
-    let whole = count - count % Lanes::<S>::COUNT;
+    let (chunk, block) = (Lanes::<S>::COUNT, steps * Lanes::<S>::COUNT);
     let mut first = 0;
-    while first < whole {
-        let here = first..first + Lanes::<S>::COUNT;
-        let mut channels = [[Lanes::splat(simd, 0.0); P]; 3];
-        for parameter in 0..P {
-            for channel in 0..3 {
-                channels[channel][parameter] = Lanes::load(simd, &parameters[parameter][channel][here.clone()]);
-            }
+    while steps > 1 && first + block <= count {
+        let here = first..first + block;
+        let mut of_block: Planes<'_, P> = [[&[]; 3]; P];
+        for (block, whole) in of_block.as_flattened_mut().iter_mut().zip(parameters.as_flattened()) {
+            *block = &whole[here.clone()];
         }
-        let results = f(Lanes::load(simd, &cosines[here.clone()]), channels);
-        for result in 0..N {
-            for channel in 0..M {
-                results[result][channel].store(&mut out[result][channel][here.clone()]);
-            }
+        // Not by `map`, which stays a call that hides the lengths.
+        let mut into_block: [[&mut [f32]; M]; N] = std::array::from_fn(|_| std::array::from_fn(|_| Default::default()));
+        for (block, whole) in into_block.as_flattened_mut().iter_mut().zip(out.as_flattened_mut()) {
+            *block = &mut whole[here.clone()];
+        }
+        for step in 0..steps {
+            one_chunk(simd, step * chunk, (&cosines[here.clone()], &of_block), &mut into_block, &f);
         }
         first = here.end;
     }
-    if whole < count {
-        let here = whole..count;
-        let mut channels = [[Lanes::splat(simd, 0.0); P]; 3];
-        for (parameter, planes) in parameters.iter().enumerate() {
-            for (channel, plane) in channels.iter_mut().zip(planes) {
-                channel[parameter] = Lanes::load_some(simd, &plane[here.clone()]);
-            }
+    while first + chunk <= count {
+        one_chunk(simd, first, (cosines, &parameters), &mut out, &f);
+        first += chunk;
+    }
+    if first < count {
+        some_of_chunk(simd, first..count, (cosines, &parameters), &mut out, &f);
+    }
+}
+
+/// The vector that begins at a place of the slices. `f` is a reference by its type: as a value it would be called
+/// through a function that knows nothing of the instruction set.
+#[inline(always)]
+fn one_chunk<S: Simd, const P: usize, const M: usize, const N: usize>(
+    simd: S,
+    first: usize,
+    (cosines, parameters): (&[f32], &Planes<'_, P>),
+    out: &mut [[&mut [f32]; M]; N],
+    f: &impl Fn(Lanes<S>, [[Lanes<S>; P]; 3]) -> [[Lanes<S>; M]; N],
+) {
+    let here = first..first + Lanes::<S>::COUNT;
+    let mut channels = [[Lanes::splat(simd, 0.0); P]; 3];
+    // By index, as in `at`.
+    for parameter in 0..P {
+        for channel in 0..3 {
+            channels[channel][parameter] = Lanes::load(simd, &parameters[parameter][channel][here.clone()]);
         }
-        let results = f(Lanes::load_some(simd, &cosines[here.clone()]), channels);
-        for (planes, results) in out.iter_mut().zip(results) {
-            for (plane, result) in planes.iter_mut().zip(results) {
-                result.store_some(&mut plane[here.clone()]);
-            }
+    }
+    let results = f(Lanes::load(simd, &cosines[here.clone()]), channels);
+    for result in 0..N {
+        for channel in 0..M {
+            results[result][channel].store(&mut out[result][channel][here.clone()]);
+        }
+    }
+}
+
+/// The rest, which is shorter than a vector.
+#[inline(always)]
+fn some_of_chunk<S: Simd, const P: usize, const M: usize, const N: usize>(
+    simd: S,
+    here: Range<usize>,
+    (cosines, parameters): (&[f32], &Planes<'_, P>),
+    out: &mut [[&mut [f32]; M]; N],
+    f: &impl Fn(Lanes<S>, [[Lanes<S>; P]; 3]) -> [[Lanes<S>; M]; N],
+) {
+    let mut channels = [[Lanes::splat(simd, 0.0); P]; 3];
+    for (parameter, planes) in parameters.iter().enumerate() {
+        for (channel, plane) in channels.iter_mut().zip(planes) {
+            channel[parameter] = Lanes::load_some(simd, &plane[here.clone()]);
+        }
+    }
+    let results = f(Lanes::load_some(simd, &cosines[here.clone()]), channels);
+    for (planes, results) in out.iter_mut().zip(results) {
+        for (plane, result) in planes.iter_mut().zip(results) {
+            result.store_some(&mut plane[here.clone()]);
         }
     }
 }
@@ -194,15 +244,22 @@ mod tests {
 
     use super::*;
     use crate::kernel::test_support::{finite, results};
-    use crate::kernel::{Basis, ConductorAndAbsorption, EdgeOfTint, Exported, F82OfPixels, TintOfEdge, levels};
+    use crate::kernel::{
+        Basis, ConductorAndAbsorption, EdgeOfTint, Exported, F82OfPixels, Factored, TintOfEdge, levels,
+    };
 
     #[test]
     fn every_length_is_covered_by_every_instruction_set() {
-        let material = ConductorAndAbsorption::material(Rgb([0.2, 0.4, 1.4]), Rgb([3.4, 2.3, 1.8]));
+        let (n, k) = (Rgb([0.2, 0.4, 1.4]), Rgb([3.4, 2.3, 1.8]));
+        covers_every_length(&ConductorAndAbsorption::material(n, k));
+        covers_every_length(&Factored::hoffman(Rgb([0.9, 0.6, 0.3]), Rgb([0.8, 0.9, 0.6])));
+    }
+
+    fn covers_every_length<F: Form<P, N>, const P: usize, const N: usize>(material: &Material<F, P, N>) {
         for level in levels() {
-            for length in 0..40_u16 {
-                let cosines: Vec<f32> = (0..length).map(|i| f32::from(i) / 40.0).collect();
-                let results = results(&material, level, &cosines);
+            for length in 0..150_u16 {
+                let cosines: Vec<f32> = (0..length).map(|i| f32::from(i) / 150.0).collect();
+                let results = results(material, level, &cosines);
                 for (at, c) in cosines.iter().enumerate() {
                     let alone = material.at(*c);
                     for (result, channels) in results.iter().enumerate() {

@@ -27,6 +27,8 @@ impl Factored {
 }
 
 impl Form<3> for Factored {
+    const STEPS: usize = 4;
+
     type Shared<T: Real> = (T, T);
 
     #[inline(always)]
@@ -53,6 +55,8 @@ impl Basis {
 }
 
 impl Form<2> for Basis {
+    const STEPS: usize = 4;
+
     const HOLDS_PIXELS: Option<f64> = Some(1e30);
 
     type Shared<T: Real> = [T; 3];

@@ -44,7 +44,7 @@ impl LabConversion {
     /// At every colour; the shortest slice ends it.
     pub fn over(&self, level: Level, rgb: [&[f32]; 3], lab: [&mut [f32]; 3]) {
         let conversion = *self;
-        dispatch!(level, simd => each_chunk(simd, (rgb[0], [rgb]), [lab],
+        dispatch!(level, simd => each_chunk(simd, 1, (rgb[0], [rgb]), [lab],
             #[inline(always)] |_, [[red], [green], [blue]]| [conversion.lab([red, green, blue])]));
     }
 }

@@ -15,6 +15,8 @@ impl Schlick {
 }
 
 impl Form<2> for Schlick {
+    const STEPS: usize = 4;
+
     type Shared<T: Real> = T;
 
     #[inline(always)]
@@ -58,6 +60,8 @@ impl Form<1> for Constant {
 pub struct SchlickOfPixels;
 
 impl Form<1> for SchlickOfPixels {
+    const STEPS: usize = 4;
+
     const HOLDS_PIXELS: Option<f64> = Some(1e30);
 
     type Shared<T: Real> = T;

@@ -69,6 +69,7 @@ impl Spectral {
     fn over_lanes<S: Simd>(&self, simd: S, cosines: &[f32], out: [&mut [f32]; 3]) {
         each_chunk(
             simd,
+            1,
             (cosines, []),
             [out],
             #[inline(always)]
