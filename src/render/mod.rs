@@ -1,15 +1,21 @@
 //! Spheres, strips and difference pictures, on the CPU.
 //!
 //! A [`RadialTable`] holds the reflectance of anything over cos θ; a [`SphereView`] holds what a
-//! sphere of one size shows of one [`Light`]. Rendering multiplies the two.
+//! sphere of one size shows of one [`Light`]. Rendering multiplies the two: into a [`Picture`] in linear light, or into
+//! the codes of a screen at once.
 
 mod difference;
+mod disc;
+mod encode;
 mod environment;
+mod facets;
 mod file;
 mod ggx;
 mod light;
 mod picture;
 mod radial;
+mod row;
+mod screen;
 mod sphere;
 mod srgb8;
 mod strip;

@@ -7,8 +7,9 @@ use exr::meta::attribute::Chromaticities;
 use exr::prelude::{Encoding, Image, IntegerBounds, LayerAttributes, SpecificChannels, Vec2, WritableImage as _};
 use rayon::prelude::*;
 
+use super::encode::{Encoder, write_alpha};
 use super::file::{SaveError, write_atomically};
-use super::srgb8::{Srgb8Picture, code_of_linear};
+use super::srgb8::Srgb8Picture;
 use crate::color::{Chromaticity, Rgb, RgbSpace};
 
 /// A picture in linear light, row by row from the top left, unclamped.
@@ -53,22 +54,21 @@ impl Picture {
 
     /// The picture in 8-bit sRGB. Pixels outside sRGB are clipped, and counted.
     pub fn to_srgb8(&self) -> Srgb8Picture {
-        let matrix = self.space.matrix_to(RgbSpace::LinRec709).cast::<f32>();
+        let encoder = Encoder::new(self.space);
+        let width = self.width as usize;
         let mut rgba = vec![0; 4 * self.linear.len()];
-        let row = self.width as usize;
-        let clipped = rgba
-            .par_chunks_mut(4 * row)
-            .zip(self.linear.par_chunks(row).zip(self.coverage.par_chunks(row)))
-            .map(|(codes, (linear, coverage))| {
-                let pixels = codes.chunks_exact_mut(4).zip(linear.iter().zip(coverage));
-                pixels
-                    .filter_map(|(code, (rgb, &coverage))| {
-                        encode(code, matrix * nalgebra::Vector3::from(*rgb), coverage)
-                    })
-                    .count()
-            })
-            .sum();
-        Srgb8Picture { width: self.width, height: self.height, rgba, clipped }
+        let codes = rgba.as_chunks_mut().0.par_chunks_mut(width);
+        let rows = codes.zip(self.linear.par_chunks(width).zip(self.coverage.par_chunks(width)));
+        let new_planes = || [(); 3].map(|()| vec![0.0; width]);
+        let clipped = rows.map_init(new_planes, |planes, (codes, (linear, coverage))| {
+            for (at, colour) in linear.iter().enumerate() {
+                (0..3).for_each(|channel| planes[channel][at] = colour[channel]);
+            }
+            let clipped = encoder.colours(planes.each_ref().map(Vec::as_slice), coverage, codes);
+            write_alpha(coverage, codes);
+            clipped
+        });
+        Srgb8Picture { clipped: clipped.sum(), width: self.width, height: self.height, rgba }
     }
 
     /// The picture as OpenEXR: 32-bit floats, colour multiplied by alpha, with the space's chromaticities.
@@ -145,14 +145,6 @@ impl Picture {
             self.coverage[to].copy_from_slice(&part.coverage[from]);
         }
     }
-}
-
-/// Writes one pixel; `Some` if it is visible and outside sRGB by more than a tenth of an 8-bit step.
-fn encode(code: &mut [u8], rgb: nalgebra::Vector3<f32>, coverage: f32) -> Option<()> {
-    code[..3].copy_from_slice(&[code_of_linear(rgb.x), code_of_linear(rgb.y), code_of_linear(rgb.z)]);
-    code[3] = (coverage * 255.0).round() as u8;
-    let is_outside = rgb.iter().any(|v| !(-5e-4..=1.0 + 5e-4).contains(v));
-    (coverage > 0.0 && is_outside).then_some(())
 }
 
 fn chromaticities(space: RgbSpace) -> Chromaticities {

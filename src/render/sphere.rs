@@ -1,7 +1,11 @@
 //! A sphere seen from afar.
 
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 
+use super::facets::Facets;
+use super::row::{RowPair, Scratch, Shown};
 use super::{Light, Picture, RadialTable};
 use crate::color::RgbSpace;
 
@@ -12,41 +16,27 @@ use crate::color::RgbSpace;
 /// the rim, where reflectance changes fast and coverage is partial, are means of 4 × 4 samples.
 #[derive(Clone, Debug)]
 pub struct SphereView {
-    size: u32,
+    pub(super) size: u32,
     space: RgbSpace,
-    roughness: f64,
-    rows: Vec<Row>,
+    /// What a rough surface is the mean of; `None` of a mirror.
+    facets: Option<Facets>,
+    /// From the top to the middle.
+    pub(super) rows: Vec<RowPair>,
 }
 
-/// The samples of a row of pixels, one pixel after another.
-#[derive(Clone, Debug, Default)]
-struct Row {
-    samples: Vec<Sample>,
-    /// Number of samples and coverage of each pixel.
-    pixels: Vec<(u8, f32)>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Sample {
-    cos_theta: f32,
-    radiance: [f32; 3],
-}
-
-/// Samples across a pixel near the rim.
-const RIM_SAMPLES: u32 = 4;
+/// Rows that are drawn in one go: fewer would take less time than handing them out.
+pub(super) const LEAST_ROWS: usize = 16;
 
 impl SphereView {
     /// The view of a sphere in a picture of `size` × `size` pixels (at least 8), its light in values of `space`.
     pub fn new(size: u32, light: Light, roughness: f64, space: RgbSpace) -> Self {
         let size = size.max(8);
-        let rows = match light {
-            Light::White => rows_of(size, &|_| [1.0; 3]),
-            _ => {
-                let environment = light.environment().converted(RgbSpace::LinRec709, space).blurred(roughness);
-                rows_of(size, &|direction| environment.radiance(direction))
-            }
-        };
-        Self { size, space, roughness, rows }
+        let environment = (light != Light::White)
+            .then(|| light.environment().converted(RgbSpace::LinRec709, space).blurred(roughness));
+        let radiance = environment.as_ref().map(|environment| |direction| environment.radiance(direction));
+        let rows =
+            (0..size.div_ceil(2)).into_par_iter().map(|row| RowPair::new(row, size, radiance.as_ref())).collect();
+        Self { size, space, facets: Facets::new(roughness), rows }
     }
 
     /// The picture of a sphere with this reflectance.
@@ -54,88 +44,58 @@ impl SphereView {
     /// # Panics
     /// If the table's space is not the view's.
     pub fn render(&self, reflectance: &RadialTable) -> Picture {
-        assert_eq!(reflectance.space(), self.space, "light and reflectance in one space");
-        let reflectance = reflectance.rough(self.roughness);
+        let reflectance = self.seen(reflectance);
         let mut picture = Picture::new(self.size, self.size, self.space);
-        let width = self.size as usize;
-        let pixels = picture.linear.par_chunks_mut(width).zip(picture.coverage.par_chunks_mut(width));
-        pixels.zip(&self.rows).for_each(|((linear, coverage), row)| row.render(&reflectance, linear, coverage));
+        let pixels = mirrored_rows(&mut picture.linear, self.size).into_par_iter();
+        let pixels = pixels.zip(mirrored_rows(&mut picture.coverage, self.size)).zip(&self.rows);
+        pixels.with_min_len(LEAST_ROWS).for_each_init(Scratch::default, |scratch, ((linear, coverage), row)| {
+            row.reflect(&reflectance, scratch);
+            let covered = row.beside..row.beside + row.covered;
+            for (is_lower, (linear, coverage)) in [false, true].into_iter().zip(linear.each().zip(coverage.each())) {
+                draw(row.shown(is_lower, scratch), &mut linear[covered.clone()], &mut coverage[covered.clone()]);
+            }
+        });
         picture
     }
-}
 
-fn rows_of(size: u32, radiance: &(impl Fn([f64; 3]) -> [f32; 3] + Sync)) -> Vec<Row> {
-    (0..size).into_par_iter().map(|row| Row::new(row, size, radiance)).collect()
-}
-
-impl Row {
-    fn new(row: u32, size: u32, radiance: &impl Fn([f64; 3]) -> [f32; 3]) -> Self {
-        let mut result = Self::default();
-        for column in 0..size {
-            let across = if is_near_rim(column, row, size) { RIM_SAMPLES } else { 1 };
-            let before = result.samples.len();
-            for index in 0..across * across {
-                let offset = |i: u32| (f64::from(i) + 0.5) / f64::from(across);
-                let (x, y) = (f64::from(column) + offset(index % across), f64::from(row) + offset(index / across));
-                result.samples.extend(Sample::at(x, y, size, radiance));
-            }
-            let found = result.samples.len() - before;
-            result.pixels.push((found as u8, found as f32 / (across * across) as f32));
-        }
-        result
+    /// The reflectance that the surface shows.
+    pub(super) fn seen<'a>(&self, reflectance: &'a RadialTable) -> Cow<'a, RadialTable> {
+        assert_eq!(reflectance.space(), self.space, "light and reflectance in one space");
+        self.facets.as_ref().map_or(Cow::Borrowed(reflectance), |facets| Cow::Owned(reflectance.over(facets)))
     }
 
-    fn render(&self, reflectance: &RadialTable, linear: &mut [[f32; 3]], coverage: &mut [f32]) {
-        let mut samples = self.samples.as_slice();
-        for (&(count, covered), (pixel, coverage)) in self.pixels.iter().zip(linear.iter_mut().zip(coverage)) {
-            let (own, rest) = samples.split_at(usize::from(count));
-            samples = rest;
-            *coverage = covered;
-            if count > 0 {
-                *pixel = mean_of(own, reflectance);
-            }
-        }
+    /// The space of its light.
+    pub(super) fn space(&self) -> RgbSpace {
+        self.space
     }
 }
 
-fn mean_of(samples: &[Sample], reflectance: &RadialTable) -> [f32; 3] {
-    let mut sum = [0.0; 3];
-    for sample in samples {
-        let factor = reflectance.at(sample.cos_theta);
-        (0..3).for_each(|i| sum[i] += factor[i] * sample.radiance[i]);
+fn draw(shown: Shown<'_>, linear: &mut [[f32; 3]], coverage: &mut [f32]) {
+    let [red, green, blue] = shown.linear;
+    for (((pixel, red), green), blue) in linear.iter_mut().zip(red).zip(green).zip(blue) {
+        *pixel = [*red, *green, *blue];
     }
-    sum.map(|v| v / samples.len() as f32)
+    coverage.copy_from_slice(shown.coverage);
 }
 
-impl Sample {
-    /// The sample at a place of the picture; `None` beside the sphere.
-    fn at(column: f64, row: f64, size: u32, radiance: &impl Fn([f64; 3]) -> [f32; 3]) -> Option<Self> {
-        let (x, y) = on_disc(column, row, size);
-        let z_squared = 1.0 - x * x - y * y;
-        let cos_theta = (z_squared >= 0.0).then(|| z_squared.sqrt())?;
-        // The mirrored view direction 2 (n·v) n − v with v along z.
-        let mirrored = [2.0 * cos_theta * x, 2.0 * cos_theta * y, 2.0 * z_squared - 1.0];
-        Some(Self { cos_theta: cos_theta as f32, radiance: radiance(mirrored) })
+/// A row in the upper half of a picture and the one that mirrors it in the lower; a row in the middle has none.
+pub(super) struct Mirrored<'a, T> {
+    pub(super) upper: &'a mut [T],
+    pub(super) lower: Option<&'a mut [T]>,
+}
+
+impl<'a, T> Mirrored<'a, T> {
+    pub(super) fn each(self) -> impl Iterator<Item = &'a mut [T]> {
+        std::iter::once(self.upper).chain(self.lower)
     }
 }
 
-/// A place of the picture on the unit disc, y up.
-fn on_disc(column: f64, row: f64, size: u32) -> (f64, f64) {
-    let centre = f64::from(size) / 2.0;
-    let radius = centre - 1.0;
-    ((column - centre) / radius, (centre - row) / radius)
-}
-
-/// True from θ ≈ 64° outwards, up to the farthest corner of a pixel that the disc can touch, where a pixel spans so much
-/// of the cosine that its middle does not stand for it.
-fn is_near_rim(column: u32, row: u32, size: u32) -> bool {
-    /// F bends by at most 140 over the cosine: a mean over this much of it is within .001 of its middle.
-    const MOST_COSINE: f64 = 0.0125;
-    let (x, y) = on_disc(f64::from(column) + 0.5, f64::from(row) + 0.5, size);
-    let pixel = 1.0 / f64::from(size / 2 - 1);
-    let (rho, margin) = (x.hypot(y), 2.0 * pixel);
-    let cosine_of_pixel = rho * pixel / (1.0 - rho * rho).max(0.0).sqrt();
-    (0.9 - margin..1.0 + margin).contains(&rho) && cosine_of_pixel > MOST_COSINE
+/// The rows of a square picture, from the outermost to the middle.
+pub(super) fn mirrored_rows<T>(pixels: &mut [T], size: u32) -> Vec<Mirrored<'_, T>> {
+    let size = size as usize;
+    let (upper, lower) = pixels.split_at_mut(size.div_ceil(2) * size);
+    let mut lower = lower.chunks_exact_mut(size).rev();
+    upper.chunks_exact_mut(size).map(|upper| Mirrored { upper, lower: lower.next() }).collect()
 }
 
 #[cfg(test)]
@@ -188,16 +148,19 @@ mod tests {
         assert!((covered / (std::f32::consts::PI * 127.0 * 127.0) - 1.0).abs() < 1e-4);
     }
 
-    /// A perfect mirror shows the light itself: the pixel facing up-left shows the box there.
+    /// A perfect mirror shows the light itself, in each quarter and on the axes.
     #[test]
     fn a_white_mirror_shows_the_light() {
         let mirror = RadialTable::new(SPACE, |_| Rgb::WHITE);
         for space_light in [Light::SoftBoxes, Light::CitySquare] {
             let picture = SphereView::new(201, space_light, 0.0, SPACE).render(&mirror);
-            let (x, y) = ((60.5 - 100.5) / 99.5, (100.5 - 60.5) / 99.5_f64);
-            let z = (1.0 - x * x - y * y).sqrt();
-            let expected = space_light.environment().radiance([2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0]);
-            assert!(picture.rgb(60, 60).max_abs_difference(Rgb(expected.map(f64::from))) < 1e-5);
+            for (column, row) in [(60, 50), (140, 50), (60, 150), (140, 150), (100, 20), (20, 100)] {
+                let (x, y) = ((f64::from(column) - 100.0) / 99.5, (100.0 - f64::from(row)) / 99.5);
+                let z = (1.0 - x * x - y * y).sqrt();
+                let expected = space_light.environment().radiance([2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0]);
+                let found = picture.rgb(column, row);
+                assert!(found.max_abs_difference(Rgb(expected.map(f64::from))) < 1e-5, "{column} {row}");
+            }
         }
     }
 

@@ -1,13 +1,11 @@
 //! 8-bit sRGB pictures for screens and PNG files.
 
 use std::path::Path;
-use std::sync::LazyLock;
 
 use super::file::{SaveError, write_atomically};
-use crate::color::srgb_decode;
 
 /// An 8-bit sRGB picture with straight alpha, and how much of it had to be clipped to get there.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Srgb8Picture {
     /// Width in pixels.
     pub width: u32,
@@ -47,60 +45,9 @@ impl Srgb8Picture {
     }
 }
 
-/// Cells of the first guess, equally wide in √linear, where sRGB codes are spread almost evenly.
-const CELLS: usize = 1024;
-
-/// Linear values at which the code changes, and the code at the start of each cell.
-struct CodeTable {
-    first_linear_of_code: [f32; 256],
-    code_at_cell: [u8; CELLS + 1],
-}
-
-static CODES: LazyLock<CodeTable> = LazyLock::new(|| {
-    let first_linear_of_code: [f32; 256] =
-        std::array::from_fn(|code| if code == 0 { 0.0 } else { srgb_decode((code as f64 - 0.5) / 255.0) as f32 });
-    let code_at_cell = std::array::from_fn(|cell| {
-        let linear = (cell as f32 / CELLS as f32).powi(2);
-        (first_linear_of_code.partition_point(|&first| first <= linear) - 1) as u8
-    });
-    CodeTable { first_linear_of_code, code_at_cell }
-});
-
-/// The sRGB code of a linear value, rounded to nearest; values outside `[0, 1]` and NaN are limited.
-///
-/// A table and at most a few comparisons instead of a power: pictures are encoded on every frame.
-pub(super) fn code_of_linear(linear: f32) -> u8 {
-    if linear.is_nan() || linear <= 0.0 {
-        return 0;
-    }
-    let codes = &*CODES;
-    let linear = linear.min(1.0);
-    let mut code = codes.code_at_cell[(linear.sqrt() * CELLS as f32) as usize];
-    while code < 255 && linear >= codes.first_linear_of_code[code as usize + 1] {
-        code += 1;
-    }
-    code
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::{Rgb, RgbSpace, srgb8};
-
-    /// The table gives what the curve gives, but for values within f32 rounding of a step.
-    #[test]
-    fn codes_are_those_of_the_curve() {
-        for step in 0..=200_000u32 {
-            let linear = step as f32 / 200_000.0;
-            let exact = srgb8(Rgb::splat(f64::from(linear)), RgbSpace::LinRec709).0[0];
-            let is_at_a_step = [-0.5, 0.5]
-                .map(|half| srgb_decode((f64::from(exact) + half) / 255.0) - f64::from(linear))
-                .iter()
-                .any(|distance| distance.abs() < 1e-6);
-            assert!(code_of_linear(linear) == exact || is_at_a_step, "{linear}");
-        }
-        assert_eq!([f32::NAN, -1.0, 0.0, 1.0, 2.0, f32::INFINITY].map(code_of_linear), [0, 0, 0, 255, 255, 255]);
-    }
 
     #[test]
     fn png_decodes_to_the_same_pixels() {
