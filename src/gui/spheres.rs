@@ -61,7 +61,7 @@ struct Kept {
 struct Rendered {
     kept: Option<Kept>,
     took: Took,
-    drawn: Drawn,
+    images: Images,
 }
 
 /// The sphere of the preset, and where there is a metal, its sphere and the difference of both, as the screen shows them.
@@ -74,6 +74,12 @@ struct Truth {
     picture: Srgb8Picture,
     map: Srgb8Picture,
     difference: Difference,
+}
+
+/// What is drawn, as textures are made of it: the sphere of the preset, that of the truth, and their difference.
+pub(super) struct Images {
+    preset: ColorImage,
+    truth: Option<(ColorImage, ColorImage, Difference)>,
 }
 
 /// The colour difference between preset and truth over the sphere.
@@ -103,6 +109,8 @@ const REST_SECONDS: f64 = 0.15;
 pub(crate) struct Spheres {
     rendering: Follower<(Wanted, Quality), Rendered>,
     kept: Option<Kept>,
+    /// Memory of the last sphere, for the next.
+    spare: Arc<Mutex<Srgb8Picture>>,
     shown: Option<Shown>,
     /// What was wanted last, and since when.
     wanted: Option<(Wanted, f64)>,
@@ -135,9 +143,10 @@ impl Spheres {
         let quality = self.quality(ctx, &wanted, budget_ms);
         let kept = self.kept.clone().filter(|kept| kept.wanted.same_truth(&wanted));
         let asked = (wanted, quality);
-        let work = move |(wanted, quality): (Wanted, Quality), _: &Progress| render(&wanted, quality, kept);
+        let spare = self.spare.clone();
+        let work = move |(wanted, quality): (Wanted, Quality), _: &Progress| render(&wanted, quality, kept, &spare);
         if let Some(((_, quality), rendered)) = self.rendering.follow(ctx, "spheres", asked, work) {
-            self.shown = Some(Shown::new(ctx, &rendered.drawn));
+            self.shown = Some(Shown::new(ctx, rendered.images));
             if rendered.kept.is_some() {
                 self.kept = rendered.kept;
             }
@@ -211,39 +220,50 @@ impl std::fmt::Debug for Spheres {
 }
 
 impl Shown {
-    fn new(ctx: &Context, drawn: &Drawn) -> Self {
-        let load = |name: &str, picture: &Srgb8Picture| ctx.load_texture(name, image(picture), TextureOptions::LINEAR);
+    fn new(ctx: &Context, images: Images) -> Self {
+        let load = |name: &str, image: ColorImage| ctx.load_texture(name, image, TextureOptions::LINEAR);
         Self {
-            preset: load("sphere of the preset", &drawn.preset),
-            truth: drawn.truth.as_ref().map(|truth| {
-                let sphere = load("sphere of the truth", &truth.picture);
-                (sphere, load("difference of the spheres", &truth.map), truth.difference)
+            preset: load("sphere of the preset", images.preset),
+            truth: images.truth.map(|(sphere, map, difference)| {
+                (load("sphere of the truth", sphere), load("difference of the spheres", map), difference)
             }),
         }
     }
 }
 
-fn image(picture: &Srgb8Picture) -> ColorImage {
-    ColorImage::from_rgba_unmultiplied([picture.width as usize, picture.height as usize], &picture.rgba)
-}
-
 impl Drawn {
-    /// Draws a preview; the truth as it is given.
-    pub(super) fn of(wanted: &Wanted, quality: Quality, truth: Option<&RadialTable>) -> Self {
+    /// Draws a preview; the truth as it is given. The memory of `spare` is used again, whatever it shows.
+    pub(super) fn of(wanted: &Wanted, quality: Quality, truth: Option<&RadialTable>, mut spare: Srgb8Picture) -> Self {
         let view = view_of(&Wanted { size: quality.size(wanted.size), ..wanted.clone() });
-        let preset = view.render(&RadialTable::of_model(&wanted.model, wanted.space));
-        let truth = truth.map(|table| {
-            let picture = view.render(table);
-            let map = DeltaEMap::between(&preset, &picture);
-            let difference = Difference { mean: map.mean(), max: map.max(), full_scale: full_scale(map.max()) };
-            Truth { picture: picture.to_srgb8(), map: map.to_false_colour(difference.full_scale), difference }
-        });
-        Self { preset: preset.to_srgb8(), truth }
+        let table = RadialTable::of_model(&wanted.model, wanted.space);
+        let Some(truth) = truth else {
+            view.render_srgb8(&table, &mut spare);
+            return Self { preset: spare, truth: None };
+        };
+        let (preset, picture) = (view.render(&table), view.render(truth));
+        let map = DeltaEMap::between(&preset, &picture);
+        let difference = Difference { mean: map.mean(), max: map.max(), full_scale: full_scale(map.max()) };
+        let truth = Truth { picture: picture.to_srgb8(), map: map.to_false_colour(difference.full_scale), difference };
+        Self { preset: preset.to_srgb8(), truth: Some(truth) }
     }
 
     /// The sphere that all of the quality shows on.
     pub(super) fn sphere(&self) -> &Srgb8Picture {
         self.truth.as_ref().map_or(&self.preset, |truth| &truth.picture)
+    }
+
+    /// Copies, multiplied by alpha.
+    pub(super) fn images(&self) -> Images {
+        let image = |picture: &Srgb8Picture| {
+            ColorImage::from_rgba_unmultiplied([picture.width as usize, picture.height as usize], &picture.rgba)
+        };
+        let truth = |truth: &Truth| (image(&truth.picture), image(&truth.map), truth.difference);
+        Images { preset: image(&self.preset), truth: self.truth.as_ref().map(truth) }
+    }
+
+    /// The memory of the preset's sphere, to draw into.
+    pub(super) fn into_spare(self) -> Srgb8Picture {
+        self.preset
     }
 }
 
@@ -260,16 +280,20 @@ pub(super) fn truth_table(wanted: &Wanted, quality: Quality) -> Option<Arc<Radia
 }
 
 /// `kept` is the same truth at every nanometre: no fewer wavelengths are quicker.
-fn render(wanted: &Wanted, quality: Quality, kept: Option<Kept>) -> Rendered {
+fn render(wanted: &Wanted, quality: Quality, kept: Option<Kept>, spare: &Mutex<Srgb8Picture>) -> Rendered {
     let start = Instant::now();
     let (truth, truth_ms) = match &kept {
         Some(kept) => (Some(kept.truth.clone()), 0.0),
         None => (truth_table(wanted, quality), milliseconds(start)),
     };
-    let drawn = Drawn::of(wanted, quality, truth.as_deref());
+    // A panic leaves a picture of any kind, which is written over.
+    let mut spare = spare.lock().unwrap_or_else(PoisonError::into_inner);
+    let drawn = Drawn::of(wanted, quality, truth.as_deref(), std::mem::take(&mut *spare));
+    let images = drawn.images();
+    *spare = drawn.into_spare();
     let is_exact = kept.is_some() || quality.wavelengths.is_none();
     Rendered {
-        drawn,
+        images,
         kept: truth.filter(|_| is_exact).map(|truth| Kept { wanted: wanted.clone(), truth }),
         took: Took { truth_ms, picture_ms: milliseconds(start) - truth_ms },
     }

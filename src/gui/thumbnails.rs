@@ -9,7 +9,7 @@ use super::job::Follower;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::FresnelModel;
 use crate::preset::Shelved;
-use crate::render::{Light, RadialTable, SphereView};
+use crate::render::{Light, RadialTable, SphereView, Srgb8Picture};
 
 /// What a thumbnail shows: r and h in linear Rec.709 and the roughness in tenths, which is as fine as one can see in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,13 +88,14 @@ impl Thumbnails {
 }
 
 fn render(keys: &[Key], mut views: Views) -> (Rendered, Views) {
-    let mut picture = |key: &Key| {
+    let mut picture = Srgb8Picture::default();
+    let mut image = |key: &Key| {
         let roughness = f64::from(key.tenths) / 10.0;
         let new = || Arc::new(SphereView::new(key.size, Light::PhotoStudio, roughness, RgbSpace::LinRec709));
         let view = views.entry((key.tenths, key.size)).or_insert_with(new);
-        let picture = view.render(&RadialTable::of_model(&key.model(), RgbSpace::LinRec709)).to_srgb8();
+        view.render_srgb8(&RadialTable::of_model(&key.model(), RgbSpace::LinRec709), &mut picture);
         let size = [picture.width as usize, picture.height as usize];
         (*key, ColorImage::from_rgba_unmultiplied(size, &picture.rgba))
     };
-    (keys.iter().map(&mut picture).collect(), views)
+    (keys.iter().map(&mut image).collect(), views)
 }

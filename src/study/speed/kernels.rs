@@ -20,7 +20,7 @@ use crate::kernel::{
     delta_e_over, operations_of_delta_e, over_pixels,
 };
 use crate::metal::{metal_by_name, preferred_metals};
-use crate::render::{Light, RadialTable, SphereView};
+use crate::render::{Light, RadialTable, SphereView, Srgb8Picture};
 use crate::study::{FormOfVariant, StudyError, Subject, Variant, forms};
 
 /// Our vectors.
@@ -423,14 +423,18 @@ impl Field<'_> {
         Ok(())
     }
 
-    /// A sphere whose r and h changed: the table over the angle, then every pixel.
+    /// A sphere whose r and h changed, from the model to the codes of every pixel on the screen: the table over the angle,
+    /// the light that each pixel mirrors, 8-bit sRGB. The light is known, and the picture's memory is used again, as while
+    /// a slider moves. Wall clock, on as many threads as there are.
     fn pictures(&mut self) {
         for (name, light) in [("preview-white", Light::White), ("preview-soft-boxes", Light::SoftBoxes)] {
             if self.wants(name) {
                 let view = SphereView::new(PICTURE_SIZE, light, 0.0, SPACE);
                 let model = FresnelModel::Hoffman { r: R, h: H };
+                let mut picture = Srgb8Picture::default();
                 self.add((name, OURS, PICTURE), (None, None), 1, move || {
-                    black_box(view.render(&RadialTable::of_model(black_box(&model), SPACE)));
+                    view.render_srgb8(&RadialTable::of_model(black_box(&model), SPACE), &mut picture);
+                    black_box(&mut picture);
                 });
             }
         }

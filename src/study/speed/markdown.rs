@@ -161,7 +161,7 @@ const PARTS: [(&str, &str); 6] = [
     (super::kernels::COLOR, "One colour to L\\*a\\*b\\*"),
     (PAIR, "ΔE2000 of one pair"),
     (TABLE, "Tables of errors"),
-    (PICTURE, "Pictures of 1024 × 1024"),
+    (PICTURE, "Pictures of 1024 × 1024, from the model to 8-bit sRGB"),
 ];
 
 /// `13 = 7 + 10 − 6 + 2` is too much for a table: issue slots, and how many divisions and roots are in them.
