@@ -1,5 +1,6 @@
 //! From linear light to the 8-bit sRGB codes of a screen, a row of pixels at a time.
 
+use std::ops::Range;
 use std::sync::LazyLock;
 
 use fearless_simd::{Level, dispatch};
@@ -25,19 +26,36 @@ impl Encoder {
         Self { level, to_srgb: (space != RgbSpace::LinRec709).then_some(rows) }
     }
 
-    /// The codes of a row of colours, one slice for each channel; alpha is 255. As many as `codes` has.
+    /// The codes of a row of colours; alpha is 255. As many as `codes` has.
     ///
     /// Gives the number of pixels that are visible (their coverage is not 0) and outside sRGB by more than a tenth of
     /// an 8-bit step: they are clipped.
-    pub(super) fn colours(&self, linear: [&[f32]; 3], coverage: &[f32], codes: &mut [[u8; 4]]) -> usize {
+    pub(super) fn colours(&self, linear: Linear<'_>, coverage: &[f32], codes: &mut [[u8; 4]]) -> usize {
         let cells = &*CELLS;
-        let (linear, coverage) = (linear.map(|channel| &channel[..codes.len()]), &coverage[..codes.len()]);
+        let (linear, coverage) = (linear.slice(0..codes.len()), &coverage[..codes.len()]);
         let clipped = match self.to_srgb {
             None => dispatch!(self.level, _simd => encode(cells, #[inline(always)] |rgb| rgb, linear, coverage, codes)),
             Some(matrix) => dispatch!(self.level, _simd =>
                 encode(cells, #[inline(always)] |rgb| times(&matrix, rgb), linear, coverage, codes)),
         };
         clipped as usize
+    }
+}
+
+/// Linear colours of a row, one slice for each channel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Linear<'a> {
+    /// The colours, or the reflectances where there is a light.
+    pub(super) colours: [&'a [f32]; 3],
+    /// What they are multiplied by; `None` of white.
+    pub(super) light: Option<[&'a [f32]; 3]>,
+}
+
+impl<'a> Linear<'a> {
+    /// Part of them.
+    pub(super) fn slice(self, range: Range<usize>) -> Self {
+        let part = |channels: [&'a [f32]; 3]| channels.map(|channel| &channel[range.clone()]);
+        Self { colours: part(self.colours), light: self.light.map(part) }
     }
 }
 
@@ -55,23 +73,40 @@ const BLOCK: usize = 16;
 
 /// Plain text that the compiler makes vectors of for each instruction set.
 #[inline(always)]
-fn encode(
+fn encode<'a>(
     cells: &Cells,
     to_srgb: impl Fn([f32; 3]) -> [f32; 3],
-    linear: [&[f32]; 3],
+    linear: Linear<'a>,
     coverage: &[f32],
     codes: &mut [[u8; 4]],
 ) -> u32 {
-    let [red, green, blue] = linear.map(|channel| channel.as_chunks::<BLOCK>());
+    let blocks = |channels: [&'a [f32]; 3]| channels.map(|channel| channel.as_chunks::<BLOCK>());
+    let (colours, light) = (blocks(linear.colours), linear.light.map(blocks));
     let (coverage, codes) = (coverage.as_chunks::<BLOCK>(), codes.as_chunks_mut::<BLOCK>());
     let mut clipped = 0;
-    for ((((red, green), blue), coverage), codes) in red.0.iter().zip(green.0).zip(blue.0).zip(coverage.0).zip(codes.0)
-    {
-        let (block, more) = encode_block(cells, &to_srgb, [*red, *green, *blue], *coverage);
+    for (at, (codes, coverage)) in codes.0.iter_mut().zip(coverage.0).enumerate() {
+        let colours = colours.map(
+            #[inline(always)]
+            |channel| channel.0[at],
+        );
+        let light = light.map(
+            #[inline(always)]
+            |light| {
+                light.map(
+                    #[inline(always)]
+                    |channel| channel.0[at],
+                )
+            },
+        );
+        let (block, more) = encode_block(cells, &to_srgb, (colours, light), *coverage);
         *codes = block.map(u32::to_le_bytes);
         clipped += more;
     }
-    let (block, more) = encode_block(cells, &to_srgb, [red.1, green.1, blue.1].map(padded), padded(coverage.1));
+    if codes.1.is_empty() {
+        return clipped;
+    }
+    let rest = |channels: [(_, &[f32]); 3]| channels.map(|channel| padded(channel.1));
+    let (block, more) = encode_block(cells, &to_srgb, (rest(colours), light.map(rest)), padded(coverage.1));
     for (code, own) in codes.1.iter_mut().zip(block) {
         *code = own.to_le_bytes();
     }
@@ -85,15 +120,24 @@ fn padded(numbers: &[f32]) -> [f32; BLOCK] {
     block
 }
 
+/// A block of each channel.
+type Block = [[f32; BLOCK]; 3];
+
 /// The codes, red in the lowest byte, and how many are clipped. Its arrays are its own: only then are these loops made
 /// vectors of, for the table might be what is written to.
 #[inline(always)]
 fn encode_block(
     cells: &Cells,
     to_srgb: impl Fn([f32; 3]) -> [f32; 3],
-    [red, green, blue]: [[f32; BLOCK]; 3],
+    (mut colours, light): (Block, Option<Block>),
     coverage: [f32; BLOCK],
 ) -> ([u32; BLOCK], u32) {
+    if let Some(light) = light {
+        for (colour, light) in colours.as_flattened_mut().iter_mut().zip(light.as_flattened()) {
+            *colour *= light;
+        }
+    }
+    let [red, green, blue] = colours;
     let (mut codes, mut clipped) = ([0; BLOCK], 0);
     for at in 0..BLOCK {
         let [red, green, blue] = to_srgb([red[at], green[at], blue[at]]);
@@ -202,13 +246,17 @@ mod tests {
             for level in levels() {
                 let encoder = Encoder::with_level(space, level);
                 for length in 0..=values.len() {
-                    let linear = [&values[..length], &turned[..length], &values[..length]];
-                    let mut codes = vec![[9; 4]; length];
-                    let clipped = encoder.colours(linear, &coverage, &mut codes);
-                    let mut alone = vec![[7; 4]; length];
-                    let each = |i: usize| encoder.colours(linear.map(|c| &c[i..=i]), &coverage[i..], &mut alone[i..=i]);
-                    assert_eq!(clipped, (0..length).map(each).sum::<usize>(), "{space} {length}");
-                    assert_eq!(codes, alone, "{space} {length}");
+                    let colours = [&values[..length], &turned[..length], &values[..length]];
+                    for light in [None, Some([&turned[..length]; 3])] {
+                        let linear = Linear { colours, light };
+                        let mut codes = vec![[9; 4]; length];
+                        let clipped = encoder.colours(linear, &coverage, &mut codes);
+                        let mut alone = vec![[7; 4]; length];
+                        let each =
+                            |i: usize| encoder.colours(linear.slice(i..i + 1), &coverage[i..], &mut alone[i..=i]);
+                        assert_eq!(clipped, (0..length).map(each).sum::<usize>(), "{space} {length}");
+                        assert_eq!(codes, alone, "{space} {length}");
+                    }
                 }
             }
         }
@@ -219,8 +267,9 @@ mod tests {
         let rgb = [0.2_f32, 0.5, 0.7];
         for space in RgbSpace::ALL {
             let mut codes = [[0; 4]; 2];
-            let linear = rgb.map(|value| [value; 2]);
-            let clipped = Encoder::new(space).colours(linear.each_ref().map(|c| &c[..]), &[1.0, 0.0], &mut codes);
+            let (half, two) = (rgb.map(|value| [value / 2.0; 2]), [2.0; 2]);
+            let linear = Linear { colours: half.each_ref().map(|c| &c[..]), light: Some([&two; 3]) };
+            let clipped = Encoder::new(space).colours(linear, &[1.0, 0.0], &mut codes);
             let (exact, is_clipped) = srgb8(Rgb(rgb.map(f64::from)), space);
             assert_eq!(codes, [[exact[0], exact[1], exact[2], 255]; 2], "{space}");
             assert_eq!(clipped, usize::from(is_clipped), "{space}: what is not covered is not counted");

@@ -7,7 +7,7 @@ use exr::meta::attribute::Chromaticities;
 use exr::prelude::{Encoding, Image, IntegerBounds, LayerAttributes, SpecificChannels, Vec2, WritableImage as _};
 use rayon::prelude::*;
 
-use super::encode::{Encoder, write_alpha};
+use super::encode::{Encoder, Linear, write_alpha};
 use super::file::{SaveError, write_atomically};
 use super::srgb8::Srgb8Picture;
 use crate::color::{Chromaticity, Rgb, RgbSpace};
@@ -64,7 +64,8 @@ impl Picture {
             for (at, colour) in linear.iter().enumerate() {
                 (0..3).for_each(|channel| planes[channel][at] = colour[channel]);
             }
-            let clipped = encoder.colours(planes.each_ref().map(Vec::as_slice), coverage, codes);
+            let clipped =
+                encoder.colours(Linear { colours: planes.each_ref().map(Vec::as_slice), light: None }, coverage, codes);
             write_alpha(coverage, codes);
             clipped
         });

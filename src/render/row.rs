@@ -1,5 +1,7 @@
 //! A row of a sphere's picture with the one that mirrors it: the light that is seen in them, and its reflection.
 
+use std::ops::Range;
+
 use super::disc::{HalfRow, Point, RIM_SAMPLE};
 use super::radial::{Place, RadialTable};
 
@@ -38,18 +40,20 @@ pub(super) struct Scratch {
     coverage: Vec<f32>,
     /// Reflectance of the samples near the rim; the fourth number is nothing.
     rim: Vec<[f32; 4]>,
-    /// What the covered pixels show of white light, for each channel; else their reflectance, and nothing near the rim.
-    white: [Vec<f32>; 3],
-    /// What they show of another.
-    lit: [Vec<f32>; 3],
+    /// Colour of the covered pixels near the rim and reflectance of those between, for each channel.
+    colours: [Vec<f32>; 3],
 }
 
-/// Colours of a row of pixels, each slice from the first that is covered to the last.
-#[derive(Clone, Copy, Debug)]
+/// What the covered pixels of a row show.
+#[derive(Clone, Debug)]
 pub(super) struct Shown<'a> {
-    /// One slice for each channel; black where nothing is covered.
-    pub(super) linear: [&'a [f32]; 3],
-    /// How much of each pixel is the sphere's, 0–1; 1 of those that are not near the rim.
+    /// Colours, black where nothing is covered; but reflectances between the rims where there is a light.
+    pub(super) colours: [&'a [f32]; 3],
+    /// The radiance that those are multiplied by; `None` of white.
+    pub(super) light: Option<[&'a [f32]; 3]>,
+    /// The pixels between the rims.
+    pub(super) between: Range<usize>,
+    /// How much of each pixel is the sphere's, 0–1; 1 between the rims.
     pub(super) coverage: &'a [f32],
 }
 
@@ -83,52 +87,51 @@ impl RowPair {
         self.lights.is_none()
     }
 
-    /// Number of pixels near the rim at either end of those that are covered.
-    pub(super) fn rim(&self) -> usize {
-        self.rim.len()
-    }
-
     /// Looks up what the two rows share.
     pub(super) fn reflect(&self, reflectance: &RadialTable, scratch: &mut Scratch) {
         let (rim, half) = (self.rim.len(), self.rim.len() + self.inner_angles.len());
         scratch.resize(self.covered);
         scratch.rim.clear();
         scratch.rim.extend(self.rim_angles.iter().map(|angle| reflectance.at_place(*angle)));
-        let [red, green, blue] = scratch.white.each_mut().map(|plane| &mut plane[rim..half]);
+        let [red, green, blue] = scratch.colours.each_mut().map(|plane| &mut plane[rim..half]);
         for (((angle, red), green), blue) in self.inner_angles.iter().zip(red).zip(green).zip(blue) {
             [*red, *green, *blue, _] = reflectance.at_place(*angle);
         }
         if self.is_white() {
             let means = by_pixel(&self.rim, &scratch.rim).map(|own| mean(own.iter().map(|[r, g, b, _]| [*r, *g, *b])));
-            write((0..).zip(means), &mut scratch.white);
+            write((0..).zip(means), &mut scratch.colours);
         }
         scratch.coverage[..half].fill(1.0);
         for (coverage, count) in scratch.coverage.iter_mut().zip(&self.rim) {
             *coverage = f32::from(*count) * RIM_SAMPLE;
         }
-        scratch.white.iter_mut().chain([&mut scratch.coverage]).for_each(|plane| mirror(plane));
+        scratch.colours.iter_mut().chain([&mut scratch.coverage]).for_each(|plane| mirror(plane));
     }
 
     /// What the covered pixels of the upper row or the lower show; after [`Self::reflect`].
-    pub(super) fn shown<'a>(&self, is_lower: bool, scratch: &'a mut Scratch) -> Shown<'a> {
-        let Scratch { coverage, rim, white, lit } = scratch;
-        let Some(lights) = &self.lights else {
-            return Shown { linear: white.each_ref().map(Vec::as_slice), coverage };
-        };
-        let light = &lights[usize::from(is_lower)];
-        for ((lit, white), radiance) in lit.iter_mut().zip(white).zip(&light.inner) {
-            let inner = self.rim.len()..self.rim.len() + radiance.len();
-            for ((lit, white), radiance) in lit[inner.clone()].iter_mut().zip(&white[inner]).zip(radiance) {
-                *lit = white * radiance;
-            }
+    pub(super) fn shown<'a>(&'a self, is_lower: bool, scratch: &'a mut Scratch) -> Shown<'a> {
+        let Scratch { coverage, rim, colours } = scratch;
+        let light = self.lights.as_ref().map(|lights| &lights[usize::from(is_lower)]);
+        if let Some(light) = light {
+            let [left, right] = light.rim.each_ref().map(|radiance| {
+                let samples = by_pixel(&self.rim, rim).zip(by_pixel(&self.rim, radiance));
+                samples.map(|(own, radiance)| mean(own.iter().zip(radiance).map(product)))
+            });
+            write((0..).zip(left), colours);
+            write((0..self.covered).rev().zip(right), colours);
         }
-        let [left, right] = light.rim.each_ref().map(|radiance| {
-            let samples = by_pixel(&self.rim, rim).zip(by_pixel(&self.rim, radiance));
-            samples.map(|(own, radiance)| mean(own.iter().zip(radiance).map(product)))
-        });
-        write((0..).zip(left), lit);
-        write((0..self.covered).rev().zip(right), lit);
-        Shown { linear: lit.each_ref().map(Vec::as_slice), coverage }
+        Shown {
+            colours: colours.each_ref().map(Vec::as_slice),
+            light: light.map(|light| light.inner.each_ref().map(Vec::as_slice)),
+            between: self.between(),
+            coverage,
+        }
+    }
+
+    /// The covered pixels that are not near the rim. A middle pixel that is near it is in both halves.
+    fn between(&self) -> Range<usize> {
+        let rim = self.rim.len();
+        rim..rim.max(self.covered - rim)
     }
 }
 
@@ -147,7 +150,7 @@ impl RowLight {
 
 impl Scratch {
     fn resize(&mut self, covered: usize) {
-        let planes = self.white.iter_mut().chain(&mut self.lit).chain([&mut self.coverage]);
+        let planes = self.colours.iter_mut().chain([&mut self.coverage]);
         planes.for_each(|plane| plane.resize(covered, 0.0));
     }
 }

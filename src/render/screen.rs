@@ -1,8 +1,10 @@
 //! From a sphere and its reflectance to the codes of a screen, without a linear picture between.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::encode::{Encoder, write_alpha};
+use super::encode::{Encoder, Linear, write_alpha};
 use super::row::{RowPair, Scratch, Shown, mirror};
 use super::sphere::{LEAST_ROWS, Mirrored, mirrored_rows};
 use super::{RadialTable, SphereView, Srgb8Picture};
@@ -32,28 +34,35 @@ impl SphereView {
 fn each(row: &RowPair, encoder: Encoder, scratch: &mut Scratch, codes: Mirrored<'_, [u8; 4]>) -> usize {
     let mut clipped = 0;
     for (is_lower, codes) in [false, true].into_iter().zip(codes.each()) {
-        let Shown { linear, coverage } = row.shown(is_lower, scratch);
-        let covered = only_covered(row, codes);
-        clipped += encoder.colours(linear, coverage, covered);
-        let (left, right) = (..row.rim(), row.covered - row.rim()..);
-        write_alpha(&coverage[left], &mut covered[left]);
-        write_alpha(&coverage[right.clone()], &mut covered[right]);
+        let Shown { colours, light, between, coverage } = row.shown(is_lower, scratch);
+        let codes = only_covered(row, codes);
+        let mut part = |range: Range<usize>, light| {
+            let colours = colours.map(|channel| &channel[range.clone()]);
+            clipped += encoder.colours(Linear { colours, light }, &coverage[range.clone()], &mut codes[range]);
+        };
+        let (left, right) = (0..between.start, between.end..row.covered);
+        part(left.clone(), None);
+        part(between, light);
+        part(right.clone(), None);
+        for rim in [left, right] {
+            write_alpha(&coverage[rim.clone()], &mut codes[rim]);
+        }
     }
     clipped
 }
 
 /// Both rows from the left half of one; gives the number of clipped pixels.
 fn same_in_all(row: &RowPair, encoder: Encoder, scratch: &mut Scratch, codes: Mirrored<'_, [u8; 4]>) -> usize {
-    let Shown { linear, coverage } = row.shown(false, scratch);
+    let Shown { colours, between, coverage, .. } = row.shown(false, scratch);
     let covered = only_covered(row, codes.upper);
-    let part = |range: std::ops::Range<usize>, codes: &mut [[u8; 4]]| {
-        let linear = linear.map(|channel| &channel[range.clone()]);
-        encoder.colours(linear, &coverage[range.clone()], &mut codes[range])
+    let part = |range: Range<usize>, codes: &mut [[u8; 4]]| {
+        let colours = colours.map(|channel| &channel[range.clone()]);
+        encoder.colours(Linear { colours, light: None }, &coverage[range.clone()], &mut codes[range])
     };
     let half = row.covered / 2;
     let in_half = part(0..half, covered);
     let in_middle = part(half..row.covered.div_ceil(2), covered);
-    write_alpha(&coverage[..row.rim()], covered);
+    write_alpha(&coverage[..between.start], covered);
     mirror(covered);
     let clipped = 2 * in_half + in_middle;
     let Some(lower) = codes.lower else { return clipped };

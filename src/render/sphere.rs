@@ -71,11 +71,15 @@ impl SphereView {
 }
 
 fn draw(shown: Shown<'_>, linear: &mut [[f32; 3]], coverage: &mut [f32]) {
-    let [red, green, blue] = shown.linear;
+    coverage.copy_from_slice(shown.coverage);
+    let [red, green, blue] = shown.colours;
     for (((pixel, red), green), blue) in linear.iter_mut().zip(red).zip(green).zip(blue) {
         *pixel = [*red, *green, *blue];
     }
-    coverage.copy_from_slice(shown.coverage);
+    let Some([red, green, blue]) = shown.light else { return };
+    for (((pixel, red), green), blue) in linear[shown.between].iter_mut().zip(red).zip(green).zip(blue) {
+        *pixel = [pixel[0] * red, pixel[1] * green, pixel[2] * blue];
+    }
 }
 
 /// A row in the upper half of a picture and the one that mirrors it in the lower; a row in the middle has none.

@@ -425,7 +425,7 @@ impl Field<'_> {
 
     /// A sphere whose r and h changed, from the model to the codes of every pixel on the screen: the table over the angle,
     /// the light that each pixel mirrors, 8-bit sRGB. The light is known, and the picture's memory is used again, as while
-    /// a slider moves. Wall clock, on as many threads as there are.
+    /// a slider moves. On as many threads and the best instruction set that there are.
     fn pictures(&mut self) {
         for (name, light) in [("preview-white", Light::White), ("preview-soft-boxes", Light::SoftBoxes)] {
             if self.wants(name) {
