@@ -29,8 +29,8 @@ pub(super) struct RowPair {
 struct RowLight {
     /// Radiance of the samples near the rim, in the left half and in the right.
     rim: [Vec<[f32; 3]>; 2],
-    /// Radiance of the pixels between, from left to right, for each channel.
-    inner: [Vec<f32>; 3],
+    /// Radiance of the pixels between, from left to right: for each channel, or for all where it is the same.
+    inner: Vec<Vec<f32>>,
 }
 
 /// What a row needs while it is drawn; used for one after another.
@@ -122,7 +122,7 @@ impl RowPair {
         }
         Shown {
             colours: colours.each_ref().map(Vec::as_slice),
-            light: light.map(|light| light.inner.each_ref().map(Vec::as_slice)),
+            light: light.map(RowLight::between),
             between: self.between(),
             coverage,
         }
@@ -144,7 +144,16 @@ impl RowLight {
         let mut planes = [(); 3].map(|()| vec![0.0; width]);
         write((0..).zip(inner.iter().map(|point| radiance(point, LEFT))), &mut planes);
         write((0..width).rev().zip(inner[..width / 2].iter().map(|point| radiance(point, RIGHT))), &mut planes);
-        Self { rim: [LEFT, RIGHT].map(|side| rim.iter().map(|point| radiance(point, side)).collect()), inner: planes }
+        // Less memory to read for each picture.
+        let is_grey = planes[0] == planes[1] && planes[1] == planes[2];
+        let inner = planes.into_iter().take(if is_grey { 1 } else { 3 }).collect();
+        Self { rim: [LEFT, RIGHT].map(|side| rim.iter().map(|point| radiance(point, side)).collect()), inner }
+    }
+
+    /// Radiance of the pixels that are not near the rim, for each channel.
+    fn between(&self) -> [&[f32]; 3] {
+        let last = self.inner.len() - 1;
+        std::array::from_fn(|channel| self.inner[channel.min(last)].as_slice())
     }
 }
 
