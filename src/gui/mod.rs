@@ -10,6 +10,7 @@ mod comparisons;
 mod copying;
 mod demonstrations;
 mod document;
+mod drawn;
 mod export;
 mod file_dialog;
 mod history;

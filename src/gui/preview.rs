@@ -7,7 +7,8 @@ use std::time::Instant;
 use image::RgbaImage;
 use image::imageops::{self, FilterType};
 
-use super::spheres::{Drawn, Wanted, truth_table};
+use super::drawn::{Drawn, truth_table};
+use super::spheres::Wanted;
 use crate::color::{RgbSpace, linear_from_srgb8};
 use crate::render::{DeltaEMap, Picture, Srgb8Picture};
 

@@ -5,8 +5,9 @@ use eframe::egui::{
     TextureHandle, Ui, Vec2,
 };
 
+use crate::gui::drawn::Difference;
 use crate::gui::panels::preview;
-use crate::gui::spheres::{Difference, Wanted};
+use crate::gui::spheres::Wanted;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::render::{Light, false_colour};

@@ -6,8 +6,8 @@ use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use rayon::prelude::*;
 
 use super::develop::encode;
+use crate::gui::drawn::full_scale;
 use crate::gui::job::Follower;
-use crate::gui::spheres::full_scale;
 use crate::photo::{Match, Photo, Rendition};
 use crate::render::false_colour;
 
