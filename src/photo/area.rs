@@ -82,14 +82,18 @@ impl Area {
 
     /// The columns of each row of a picture whose pixels' centres lie inside: neither shape has a gap in a row.
     pub(super) fn rows(self, width: u32, height: u32) -> impl Iterator<Item = (u32, Range<u32>)> {
-        let [x, y, w, h] = self.bounds();
+        let [_, y, _, h] = self.bounds();
+        pixel_range(y, h, height).map(move |row| (row, self.columns(row, width)))
+    }
+
+    /// The same of one row.
+    pub(super) fn columns(self, row: u32, width: u32) -> Range<u32> {
+        let [x, _, w, _] = self.bounds();
         let columns = pixel_range(x, w, width);
-        pixel_range(y, h, height).map(move |row| {
-            let is_inside = |column: &u32| self.contains(f64::from(*column) + 0.5, f64::from(row) + 0.5);
-            let start = columns.clone().find(is_inside).unwrap_or(columns.end);
-            let end = columns.clone().rev().find(is_inside).map_or(start, |last| last + 1);
-            (row, start..end)
-        })
+        let is_inside = |column: &u32| self.contains(f64::from(*column) + 0.5, f64::from(row) + 0.5);
+        let start = columns.clone().find(is_inside).unwrap_or(columns.end);
+        let end = columns.clone().rev().find(is_inside).map_or(start, |last| last + 1);
+        start..end
     }
 
     /// The pixels of a picture whose centre lies inside, row by row.

@@ -39,9 +39,18 @@ impl Body {
     /// The surface normal where a point of the picture shows it, right and down, in units of its length: the way
     /// from the centre or the axis over the radius. Its length is sin θ; `None` beyond the ends of a cylinder.
     pub fn normal(self, x: f64, y: f64) -> Option<[f64; 2]> {
+        let is_between_ends = match self {
+            Self::Ball(_) => true,
+            Self::Cylinder(cylinder) => (0.0..=1.0).contains(&cylinder.along(x, y)),
+        };
+        is_between_ends.then(|| self.offset(x, y))
+    }
+
+    /// The way from the centre, or from the axis without its ends, over the radius: linear in x and y.
+    pub(super) fn offset(self, x: f64, y: f64) -> [f64; 2] {
         match self {
-            Self::Ball(circle) => Some([(x - circle.x) / circle.radius, (y - circle.y) / circle.radius]),
-            Self::Cylinder(cylinder) => (0.0..=1.0).contains(&cylinder.along(x, y)).then(|| cylinder.offset(x, y)),
+            Self::Ball(circle) => [(x - circle.x) / circle.radius, (y - circle.y) / circle.radius],
+            Self::Cylinder(cylinder) => cylinder.offset(x, y),
         }
     }
 
@@ -90,11 +99,11 @@ impl Body {
         }
     }
 
-    /// How much of the disc within `sine`, or of the strip, lies within a smaller one: rings of equal area.
-    pub(super) fn area_share(self, sine: f64, of: f64) -> f64 {
+    /// Within which sine lies this share of the disc, or of the strip, within `sine`: rings of equal area.
+    pub(super) fn sine_of_area_share(self, share: f64, sine: f64) -> f64 {
         match self {
-            Self::Ball(_) => (sine / of).powi(2),
-            Self::Cylinder(_) => sine / of,
+            Self::Ball(_) => share.sqrt() * sine,
+            Self::Cylinder(_) => share * sine,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod area;
 mod body;
+mod brightness;
 mod card;
 mod census;
 mod circle;

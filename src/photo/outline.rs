@@ -11,6 +11,7 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
+use super::brightness::Brightness;
 use super::rim::fit_rim;
 use super::{Body, Circle, Photo, Warning, WarningCode};
 
@@ -148,7 +149,8 @@ pub(super) fn steepest_steps(photo: &Photo, stretch: Range<f64>, point: impl Fn(
     const STEP_PX: f64 = 0.5;
     let steps = ((stretch.end - stretch.start) / STEP_PX) as usize;
     let position = |step: f64| stretch.start + step * STEP_PX;
-    let profile: Vec<Option<f64>> = (0..=steps).map(|step| brightness(photo, point(position(step as f64)))).collect();
+    let mut brightness = Brightness::of(photo);
+    let profile: Vec<Option<f64>> = (0..=steps).map(|step| brightness.at(point(position(step as f64)))).collect();
     // The slope over ± 1 px: as wide as a lens is sharp, so that the peak of the slope is the edge.
     let slope = |step: usize| {
         let (before, after) = (step.checked_sub(2)?, step + 2);
@@ -169,24 +171,6 @@ pub(super) fn steepest_steps(photo: &Photo, stretch: Range<f64>, point: impl Fn(
 fn parabola_peak([before, at, after]: [f64; 3]) -> f64 {
     let curvature = before - 2.0 * at + after;
     if curvature < 0.0 { (0.5 * (before - after) / curvature).clamp(-0.5, 0.5) } else { 0.0 }
-}
-
-/// Bilinear brightness of a point, compressed so that lamps do not outweigh the outline; `None` outside.
-fn brightness(photo: &Photo, (x, y): (f64, f64)) -> Option<f64> {
-    let (x, y) = (x - 0.5, y - 0.5);
-    if x < 0.0 || y < 0.0 {
-        return None;
-    }
-    let (column, row) = (x.floor(), y.floor());
-    let at = |dx: u32, dy: u32| {
-        let rgb = photo.pixel(column as u32 + dx, row as u32 + dy)?.rgb;
-        let luminance = (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]).max(0.0);
-        Some(luminance / (1.0 + luminance))
-    };
-    let (s, t) = (x - column, y - row);
-    let top = at(0, 0)? * (1.0 - s) + at(1, 0)? * s;
-    let bottom = at(0, 1)? * (1.0 - s) + at(1, 1)? * s;
-    Some(top * (1.0 - t) + bottom * t)
 }
 
 /// RANSAC (Fischler & Bolles 1981) over a fixed sequence of triples, then the geometric fit.
@@ -260,8 +244,10 @@ fn support(edges: &[Edge], circle: Circle, limit: f64) -> usize {
     rays.iter().filter(|is_hit| **is_hit).count()
 }
 
+/// Distance from the circle. Not by `hypot`: pixels are no numbers whose squares overflow, and this is asked for often.
 fn residual(edge: Edge, circle: Circle) -> f64 {
-    (edge.x - circle.x).hypot(edge.y - circle.y) - circle.radius
+    let (right, down) = (edge.x - circle.x, edge.y - circle.y);
+    (right * right + down * down).sqrt() - circle.radius
 }
 
 /// Gauss–Newton on the distances to the circle, with Tukey's biweight at `limit`.
@@ -362,8 +348,9 @@ fn clearness(photo: &Photo, circle: Circle) -> f64 {
 /// True where brightness changes across a circle and not along it: within about 25° of its radius.
 fn runs_along(photo: &Photo, edge: Edge, circle: Circle) -> bool {
     const COSINE: f64 = 0.9;
-    let slope = |dx: f64, dy: f64| {
-        Some(brightness(photo, (edge.x + dx, edge.y + dy))? - brightness(photo, (edge.x - dx, edge.y - dy))?)
+    let mut brightness = Brightness::of(photo);
+    let mut slope = |dx: f64, dy: f64| {
+        Some(brightness.at((edge.x + dx, edge.y + dy))? - brightness.at((edge.x - dx, edge.y - dy))?)
     };
     let (Some(gx), Some(gy)) = (slope(1.0, 0.0), slope(0.0, 1.0)) else { return false };
     let (x, y) = (edge.x - circle.x, edge.y - circle.y);
@@ -391,8 +378,9 @@ impl Reduced {
         let size = |full: u32| ((f64::from(full) / scale) as usize).max(1);
         let (width, height) = (size(photo.width), size(photo.height));
         // Four points in each reduced pixel are enough against aliasing for a vote.
-        let value = |x: usize, y: usize| {
-            let at = |dx: f64, dy: f64| brightness(photo, ((x as f64 + dx) * scale, (y as f64 + dy) * scale));
+        let mut brightness = Brightness::of(photo);
+        let mut value = |x: usize, y: usize| {
+            let mut at = |dx: f64, dy: f64| brightness.at(((x as f64 + dx) * scale, (y as f64 + dy) * scale));
             let points = [at(0.25, 0.25), at(0.75, 0.25), at(0.25, 0.75), at(0.75, 0.75)];
             let mean = points.iter().flatten().sum::<f64>() / points.iter().flatten().count().max(1) as f64;
             // Contrast, not difference: a dark ball before a bright sky has an outline, too.

@@ -2,7 +2,7 @@
 
 use super::shape::MetalCurve;
 use crate::fresnel::Weights;
-use crate::photo::Pixel;
+use crate::photo::PixelFlags;
 use crate::photo::statistics::exceeds_clipping_limit;
 
 /// The mean of one channel over the pixels of one block and ring.
@@ -24,55 +24,51 @@ pub(super) struct Cell {
     pub cosine: f64,
 }
 
-/// What the regions hold.
+/// What a region holds.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counts {
-    /// Pixels in the picture, for facing and grazing.
-    pub pixels: [usize; 2],
+    /// Pixels in the picture.
+    pub pixels: usize,
     /// Of these, clipped in each channel.
-    pub clipped: [[usize; 3]; 2],
+    pub clipped: [usize; 3],
     /// Of these, black.
-    pub black: [usize; 2],
+    pub black: usize,
 }
 
 impl Counts {
-    /// True when more than half a percent of a region is clipped in a channel.
-    pub fn is_clipped(&self, stratum: usize, channel: usize) -> bool {
-        exceeds_clipping_limit(self.clipped[stratum][channel], self.pixels[stratum])
+    /// True when more than half a percent is clipped in a channel.
+    pub fn is_clipped(&self, channel: usize) -> bool {
+        exceeds_clipping_limit(self.clipped[channel], self.pixels)
     }
 
-    /// Counts a pixel.
-    pub fn add(&mut self, stratum: usize, pixel: &Pixel) {
-        self.pixels[stratum] += 1;
-        self.black[stratum] += usize::from(pixel.flags.black);
+    /// Counts pixels.
+    pub fn add_pixels(&mut self, count: usize) {
+        self.pixels += count;
+    }
+
+    /// Counts what is wrong with one of them.
+    pub fn add_flags(&mut self, flags: PixelFlags) {
+        self.black += usize::from(flags.black);
         for channel in 0..3 {
-            self.clipped[stratum][channel] += usize::from(pixel.flags.clipped[channel]);
+            self.clipped[channel] += usize::from(flags.clipped[channel]);
         }
     }
 
-    /// Adds what was counted elsewhere.
-    pub fn plus(&mut self, other: &Self) {
-        for stratum in 0..2 {
-            self.pixels[stratum] += other.pixels[stratum];
-            self.black[stratum] += other.black[stratum];
-            for channel in 0..3 {
-                self.clipped[stratum][channel] += other.clipped[stratum][channel];
-            }
+    /// With what was counted elsewhere.
+    pub fn plus(self, other: &Self) -> Self {
+        Self {
+            pixels: self.pixels + other.pixels,
+            clipped: std::array::from_fn(|channel| self.clipped[channel] + other.clipped[channel]),
+            black: self.black + other.black,
         }
-    }
-
-    /// Takes the counts of one region, counted as the first, for a stratum.
-    pub fn set(&mut self, stratum: usize, of_region: Self) {
-        self.pixels[stratum] = of_region.pixels[0];
-        self.clipped[stratum] = of_region.clipped[0];
-        self.black[stratum] = of_region.black[0];
     }
 }
 
 /// Pixels too far from a fit to belong to the metal: lamps, the camera, dust.
-pub(super) struct Outliers {
-    curve: MetalCurve,
-    limits: [f64; 3],
+pub(super) struct Outliers<'a> {
+    pub curve: &'a MetalCurve,
+    /// How far a pixel of each channel may lie from it.
+    pub limits: [f64; 3],
 }
 
 /// Pixels beyond this many times their scatter are left out.
@@ -80,16 +76,10 @@ const REJECTION: f64 = 4.0;
 /// But none within this of the curve: a noise-free picture still rounds.
 const LEAST_LIMIT: f64 = 0.01;
 
-impl Outliers {
+impl<'a> Outliers<'a> {
     /// The limits around a fit: its pixel noise and what its cells scatter, together.
-    pub fn around(curve: MetalCurve, noise: [f64; 3]) -> Self {
+    pub fn around(curve: &'a MetalCurve, noise: [f64; 3]) -> Self {
         let limit = |i: usize| REJECTION * noise[i].hypot(curve.fits[i].scatter);
         Self { limits: std::array::from_fn(|i| limit(i).max(LEAST_LIMIT)), curve }
-    }
-
-    /// True where no channel is beyond its limit.
-    pub fn keep(&self, reflectance: [f32; 3], weights: Weights, cosine: f64) -> bool {
-        let expected = self.curve.at(weights, cosine);
-        !(0..3).any(|i| (f64::from(reflectance[i]) - expected[i]).abs() > self.limits[i])
     }
 }

@@ -55,7 +55,7 @@ pub(super) fn area_warnings(
     areas: &[(&'static str, AreaStatistics)],
     outcome: &Match,
 ) -> Vec<Warning> {
-    let counts = Counts::default();
+    let counts = [Counts::default(); 2];
     let mut warnings = clipped("mirror", &counts, areas);
     warnings.extend(black("mirror", &counts, areas));
     warnings.extend(two_colours(areas));
@@ -129,7 +129,7 @@ fn geometry(photo: &Photo, request: &MatchRequest, regions: &Regions) -> Vec<War
     messages.into_iter().map(|message| Warning::new(WarningCode::Geometry, message)).collect()
 }
 
-fn clipped(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+fn clipped(noun: &str, counts: &[Counts; 2], areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
     let in_areas = areas.iter().flat_map(|(name, statistics)| {
         (0..3).filter(|&i| statistics.is_clipped(i)).map(|i| ((*name).to_owned(), CHANNELS[i])).collect::<Vec<_>>()
     });
@@ -137,7 +137,7 @@ fn clipped(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec
     let is_picked = |name: &str| areas.iter().any(|area| area.0 == name);
     let in_bands = bands.into_iter().filter(|(_, stratum)| !is_picked(["facing area", "edge area"][*stratum]));
     let in_bands = in_bands.flat_map(|(name, stratum)| {
-        (0..3).filter(move |&i| counts.is_clipped(stratum, i)).map(move |i| (name.clone(), CHANNELS[i]))
+        (0..3).filter(move |&i| counts[stratum].is_clipped(i)).map(move |i| (name.clone(), CHANNELS[i]))
     });
     let message = |(name, channel): (String, &str)| {
         format!("The {channel} channel is clipped in the {name}: it has no value there. Expose less.")
@@ -150,7 +150,7 @@ fn unusable(noun: &str, measured: &Measured, regions: &Regions) -> Vec<Warning> 
     let places = [(0, "middle", &regions.inner), (1, "rim", &regions.outer)];
     let said = places.into_iter().filter(|(.., region)| region.is_some()).filter_map(|(stratum, place, _)| {
         let has_cells = |i: usize| measured.all[i].iter().any(|cell| cell.stratum == stratum);
-        let empty = (0..3).filter(|&i| !has_cells(i) && !measured.counts.is_clipped(stratum, i));
+        let empty = (0..3).filter(|&i| !has_cells(i) && !measured.counts[stratum].is_clipped(i));
         let channels: Vec<&str> = empty.map(|i| CHANNELS[i]).collect();
         (!channels.is_empty()).then(|| {
             format!(
@@ -165,12 +165,12 @@ fn unusable(noun: &str, measured: &Measured, regions: &Regions) -> Vec<Warning> 
 /// Signal below this many times its scatter is no measurement.
 const LEAST_SIGNAL_TO_NOISE: f64 = 5.0;
 
-fn black(noun: &str, counts: &Counts, areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
+fn black(noun: &str, counts: &[Counts; 2], areas: &[(&str, AreaStatistics)]) -> Vec<Warning> {
     let is_dark = |s: &AreaStatistics| {
         let drowns = |i: usize| s.trimmed_mean[i] < LEAST_SIGNAL_TO_NOISE * s.standard_deviation[i];
         2 * s.black > s.pixels || (0..3).all(drowns)
     };
-    let dark_band = (0..2).any(|stratum| 2 * counts.black[stratum] > counts.pixels[stratum]);
+    let dark_band = counts.iter().any(|counts| 2 * counts.black > counts.pixels);
     let names = areas.iter().filter(|(_, s)| is_dark(s)).map(|(name, _)| *name);
     let body = (dark_band && areas.iter().all(|(_, s)| !is_dark(s))).then_some(noun);
     let message = |name: &str| format!("The {name} is too dark to measure: expose more.");

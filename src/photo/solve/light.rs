@@ -1,7 +1,7 @@
 //! L: the pixel a perfect mirror would have in the metal's place.
 
+use super::facing::Facing;
 use super::reference::ReferenceField;
-use super::region::Place;
 use super::solved_light::solved_light;
 use super::view::View;
 use super::{CardReading, MatchError};
@@ -25,8 +25,10 @@ pub(super) struct Light {
     pub relative_uncertainty: [f64; 3],
     /// What each card showed.
     pub cards: Vec<(Card, AreaStatistics)>,
-    /// What divides a pixel where the light is even; 1 where it is not known, so that fits stay finite.
-    divisor: [f64; 3],
+    /// The light where it is even; 1 where it is not known, so that fits stay finite.
+    even: [f64; 3],
+    /// 1 over it.
+    over_even: [f64; 3],
     /// The light of each spot where a reference ball shows it.
     field: Option<ReferenceField>,
 }
@@ -45,14 +47,15 @@ impl Light {
     }
 
     /// F of a pixel: pixel over light. NaN where the light is not known.
-    pub fn reflectance(&self, view: &View, pixel: &Pixel, place: &Place) -> [f64; 3] {
-        let light = self.at(view, place);
-        std::array::from_fn(|i| pixel.rgb[i] / light[i])
+    #[inline]
+    pub fn reflectance(&self, view: &View, pixel: &Pixel, facing: &Facing) -> [f64; 3] {
+        let over_light = self.field.as_ref().map_or(self.over_even, |field| over(field.light(view, facing)));
+        std::array::from_fn(|i| pixel.rgb[i] * over_light[i])
     }
 
     /// L of a spot; NaN where it is not known.
-    pub fn at(&self, view: &View, place: &Place) -> [f64; 3] {
-        self.field.as_ref().map_or(self.divisor, |field| field.light(view, place))
+    pub fn at(&self, view: &View, facing: &Facing) -> [f64; 3] {
+        self.field.as_ref().map_or(self.even, |field| field.light(view, facing))
     }
 
     /// What each card showed.
@@ -62,8 +65,8 @@ impl Light {
 
     /// An even light.
     pub fn even(value: [Option<f64>; 3], relative_uncertainty: [f64; 3]) -> Self {
-        let divisor = value.map(|value| value.unwrap_or(1.0));
-        Self { value, relative_uncertainty, cards: Vec::new(), divisor, field: None }
+        let even = value.map(|value| value.unwrap_or(1.0));
+        Self { value, relative_uncertainty, cards: Vec::new(), even, over_even: over(even), field: None }
     }
 
     fn by_eye(request: &MatchRequest) -> Result<Self, MatchError> {
@@ -129,6 +132,10 @@ impl Light {
         let value = channels.map(|channel| channel.map(|(light, _)| light));
         Ok(Self::even(value, channels.map(|channel| channel.map_or(0.0, |(_, uncertainty)| uncertainty))))
     }
+}
+
+fn over(light: [f64; 3]) -> [f64; 3] {
+    light.map(|light| 1.0 / light)
 }
 
 /// The mean light of all positions and its relative uncertainty; `None` when a card is clipped.

@@ -5,11 +5,13 @@
 //! the pixels into [`cells`], [`fit`] solves, [`shape`] takes off what real metals have beyond, [`uncertainty`] says how well, [`guard`] what to beware of.
 
 mod cells;
+mod facing;
 mod fit;
 mod guard;
 mod light;
 mod mirror;
 mod outcome;
+mod radial;
 mod readings;
 mod reference;
 mod region;
@@ -17,6 +19,9 @@ mod rendition;
 mod shape;
 mod sharpness;
 mod solved_light;
+mod spots;
+mod stretch;
+mod sums;
 mod uncertainty;
 mod view;
 
@@ -73,17 +78,18 @@ struct Measured {
     /// The cells of the fit: outliers left out, what a conductor has beyond the two colours taken off.
     kept: [Vec<Cell>; 3],
     curve: MetalCurve,
-    counts: cells::Counts,
+    /// What the regions hold, facing and grazing.
+    counts: [cells::Counts; 2],
 }
 
 /// Goes over what was read three times: for a first fit, for the scatter around it, and without outliers.
 fn measure(readings: &Readings, regions: &Regions) -> Measured {
-    let all = readings.cells(None);
+    let sums = readings.sums();
+    let all = sums.cells();
     let (first, _) = fit_metal(&all, regions);
-    let noise = readings.noise(&first);
-    let kept = readings.cells(Some(&Outliers::around(first, noise)));
-    let (curve, kept) = fit_metal(&kept, regions);
-    Measured { all, kept, curve, counts: readings.counts }
+    let outliers = Outliers::around(&first, readings.noise(&first));
+    let (curve, kept) = fit_metal(&readings.sums_without(&outliers, &sums).cells(), regions);
+    Measured { all, kept, curve, counts: readings.counts() }
 }
 
 /// Fits every channel, then again with what a conductor has beyond the two colours taken off the cells.

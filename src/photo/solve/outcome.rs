@@ -95,7 +95,7 @@ impl Match {
     ) -> Self {
         let usable = |channel: usize| light.value[channel].is_some();
         let kept = |values: [Option<f64>; 3], stratum: usize| -> [Option<f64>; 3] {
-            let is_good = |i: usize| usable(i) && !measured.counts.is_clipped(stratum, i);
+            let is_good = |i: usize| usable(i) && !measured.counts[stratum].is_clipped(i);
             std::array::from_fn(|i| values[i].filter(|_| is_good(i)))
         };
         let r = kept(measured.curve.fits.each_ref().map(|fit| fit.r), 0);
@@ -119,7 +119,7 @@ impl Match {
             cards: light.readings(),
             residual: measured.curve.fits.each_ref().map(|fit| known(fit.scatter)),
             noise: uncertainty.noise.map(known),
-            pixels: measured.counts.pixels.iter().sum(),
+            pixels: measured.counts.iter().map(|counts| counts.pixels).sum(),
             uncertainty: uncertainty.budget,
             request: request.clone(),
         }

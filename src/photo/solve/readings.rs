@@ -1,270 +1,178 @@
-//! The pixels of the regions, read once: after that a fit is a pass over memory.
+//! What was read of the regions, gone over again and again: a fit is a pass over memory.
 
 use rayon::prelude::*;
 
 use super::cells::{Cell, Counts, Outliers};
 use super::light::Light;
+use super::radial::Radial;
 use super::region::{RINGS, Region, Regions};
 use super::shape::MetalCurve;
+use super::spots::{Piece, Spot, read};
+use super::sums::{Plus, Scatters, Sum};
 use super::view::View;
 use crate::fresnel::Weights;
 use crate::number::median;
-use crate::photo::statistics::usable_channels;
 
 /// What was read of both regions.
-pub(super) struct Readings {
+pub(super) struct Readings<'a> {
     /// Facing and grazing.
-    strata: [Option<Stratum>; 2],
-    pub counts: Counts,
+    strata: [Option<Stratum<'a>>; 2],
 }
 
-struct Stratum {
-    /// Blocks times rings.
-    cells: usize,
-    spots: Vec<Spot>,
+struct Stratum<'a> {
+    region: &'a Region,
+    pieces: Vec<Piece>,
+    /// The weights of r and h.
+    weights: Radial<2>,
 }
 
-/// One pixel: 28 bytes, so that a million of them fit where the solver is to stay.
-#[derive(Clone, Copy)]
-struct Spot {
-    /// Pixel over light; not finite where the light is not known.
-    reflectance: [f32; 3],
-    of_r: f32,
-    of_h: f32,
-    cosine: f32,
-    /// Block times [`RINGS`] plus ring.
-    cell: u16,
-    /// A bit for each channel that is neither clipped nor without a light.
-    usable: u8,
-}
+/// The sums of every cell of both regions.
+pub(super) struct Sums([Vec<Sum>; 2]);
 
-const ALL_CHANNELS: u8 = 0b111;
-
-impl Spot {
-    fn is_usable(&self, channel: usize) -> bool {
-        self.usable & (1 << channel) != 0
-    }
-
-    fn weights(&self) -> Weights {
-        let (of_r, of_h) = (f64::from(self.of_r), f64::from(self.of_h));
-        Weights { of_r, of_h, of_white: 1.0 - of_r - of_h }
-    }
-}
-
-/// Spots in one piece of work; the same pieces whatever the number of threads, so that sums round alike.
-const PIECE: usize = 1 << 14;
-
-impl Readings {
+impl<'a> Readings<'a> {
     /// Reads both regions under a light.
-    pub fn of(view: &View, regions: &Regions, light: &Light) -> Self {
-        let mut counts = Counts::default();
-        let mut read = |stratum: usize, region: &Option<Region>| {
-            region.as_ref().map(|region| {
-                let (spots, of_region) = spots(view, region, light);
-                counts.set(stratum, of_region);
-                Stratum { cells: region.blocks() * RINGS, spots }
-            })
-        };
-        let strata = [read(0, &regions.inner), read(1, &regions.outer)];
-        Self { strata, counts }
+    pub fn of(view: &View, regions: &'a Regions, light: &Light) -> Self {
+        let read = |region: &'a Region| Stratum::of(region, read(view, region, light));
+        Self { strata: [&regions.inner, &regions.outer].map(|region| region.as_ref().map(read)) }
     }
 
-    /// The cells of each channel, without outliers where these are known.
-    pub fn cells(&self, outliers: Option<&Outliers>) -> [Vec<Cell>; 3] {
-        let mut cells: [Vec<Cell>; 3] = Default::default();
-        for (stratum, of) in self.strata() {
-            let sums = of.sums(|sums: &mut Vec<Sum>, spot| {
-                if outliers.is_none_or(|outliers| outliers.keep(spot.reflectance, spot.weights(), spot.cosine.into())) {
-                    sums[usize::from(spot.cell)].add(spot);
-                }
-            });
-            for (index, sum) in sums.iter().enumerate() {
-                for (channel, cells) in cells.iter_mut().enumerate() {
-                    cells.extend(sum.cell(stratum, index, channel));
-                }
-            }
-        }
-        cells
+    /// What both hold.
+    pub fn counts(&self) -> [Counts; 2] {
+        self.strata.each_ref().map(|stratum| {
+            let pieces = stratum.iter().flat_map(|stratum| &stratum.pieces);
+            pieces.fold(Counts::default(), |all, piece| all.plus(&piece.counts))
+        })
+    }
+
+    /// The sums over all pixels that can be used.
+    pub fn sums(&self) -> Sums {
+        Sums(self.of_strata(|stratum, _| stratum.sums()))
+    }
+
+    /// The same without outliers.
+    pub fn sums_without(&self, outliers: &Outliers, all: &Sums) -> Sums {
+        Sums(self.of_strata(|stratum, index| stratum.sums_without(outliers, &all.0[index])))
     }
 
     /// The standard deviation of a pixel around a curve: the median over cells of what is left within each.
     pub fn noise(&self, curve: &MetalCurve) -> [f64; 3] {
-        let mut variances: [Vec<f64>; 3] = Default::default();
-        for (_, of) in self.strata() {
-            let sums = of.sums(|sums: &mut Vec<[Scatter; 3]>, spot| {
-                let expected = curve.at(spot.weights(), spot.cosine.into());
-                for channel in (0..3).filter(|channel| spot.is_usable(*channel)) {
-                    let residual = f64::from(spot.reflectance[channel]) - expected[channel];
-                    sums[usize::from(spot.cell)][channel].add(residual);
-                }
-            });
-            for of_cell in &sums {
-                for (variances, scatter) in variances.iter_mut().zip(of_cell) {
-                    variances.extend(scatter.variance());
+        let scatters = self.of_strata(|stratum, _| stratum.scatters(curve));
+        [0, 1, 2].map(|channel| {
+            let variances = scatters.iter().flatten().filter_map(|scatters| scatters.variance(channel));
+            median(&mut variances.collect::<Vec<_>>()).sqrt()
+        })
+    }
+
+    fn of_strata<T>(&self, of: impl Fn(&Stratum, usize) -> Vec<T>) -> [Vec<T>; 2] {
+        [0, 1].map(|index| self.strata[index].as_ref().map_or_else(Vec::new, |stratum| of(stratum, index)))
+    }
+}
+
+impl Sums {
+    /// The cells of each channel.
+    pub fn cells(&self) -> [Vec<Cell>; 3] {
+        let of_stratum = |stratum: usize, channel: usize| {
+            let cell = move |(index, sum): (usize, &Sum)| {
+                let (block, ring) = (index / RINGS, index % RINGS);
+                sum.mean(channel).map(|mean| Cell { stratum, block, ring, ..mean })
+            };
+            self.0[stratum].iter().enumerate().filter_map(cell)
+        };
+        [0, 1, 2].map(|channel| of_stratum(0, channel).chain(of_stratum(1, channel)).collect())
+    }
+}
+
+impl<'a> Stratum<'a> {
+    fn of(region: &'a Region, pieces: Vec<Piece>) -> Self {
+        let weights = Radial::of(|cosine| {
+            let Weights { of_r, of_h, .. } = region.weights(cosine);
+            [of_r, of_h]
+        });
+        Self { region, pieces, weights }
+    }
+
+    /// The curve where a pixel shows a cosine; 0 in place of a fourth channel.
+    fn expected(&self, curve: &MetalCurve) -> Radial<4> {
+        Radial::of(|cosine| {
+            let [red, green, blue] = curve.at(self.region.weights(cosine), cosine);
+            [red, green, blue, 0.0]
+        })
+    }
+
+    fn sums(&self) -> Vec<Sum> {
+        self.added(|piece, sums: &mut [Sum]| {
+            for (cell, spots) in piece.runs() {
+                sums[cell].add_run(1.0, spots, &self.weights);
+            }
+            for odd in &piece.odd {
+                sums[odd.cell].add_odd(1.0, odd, &self.weights);
+            }
+        })
+    }
+
+    /// Takes the runs that hold outliers off the sums of all, and puts back what is left of them.
+    fn sums_without(&self, outliers: &Outliers, all: &[Sum]) -> Vec<Sum> {
+        let expected = self.expected(outliers.curve);
+        let limits = Limits::of(outliers.limits);
+        let mut sums = self.added(|piece, changes: &mut [Sum]| {
+            let mut kept = Vec::new();
+            for (cell, spots) in piece.runs() {
+                if spots.iter().any(|spot| limits.are_exceeded(*spot, &expected)) {
+                    kept.clear();
+                    kept.extend(spots.iter().filter(|spot| !limits.are_exceeded(**spot, &expected)).copied());
+                    changes[cell].add_run(-1.0, spots, &self.weights);
+                    changes[cell].add_run(1.0, &kept, &self.weights);
                 }
             }
-        }
-        variances.map(|mut values| median(&mut values).sqrt())
+            for odd in piece.odd.iter().filter(|odd| limits.are_exceeded(odd.spot, &expected)) {
+                changes[odd.cell].add_odd(-1.0, odd, &self.weights);
+            }
+        });
+        sums.iter_mut().zip(all).for_each(|(sum, all)| sum.plus(all));
+        sums
     }
 
-    fn strata(&self) -> impl Iterator<Item = (usize, &Stratum)> {
-        self.strata.iter().enumerate().filter_map(|(index, stratum)| Some((index, stratum.as_ref()?)))
+    fn scatters(&self, curve: &MetalCurve) -> Vec<Scatters> {
+        let expected = self.expected(curve);
+        self.added(|piece, scatters: &mut [Scatters]| {
+            for (cell, spots) in piece.runs() {
+                scatters[cell].add_run(spots, &expected);
+            }
+            for odd in &piece.odd {
+                scatters[odd.cell].add_odd(odd, &expected);
+            }
+        })
     }
-}
 
-impl Stratum {
-    /// One sum for each cell, over all spots.
-    fn sums<T: Plus + Default + Clone + Send>(&self, add: impl Fn(&mut Vec<T>, &Spot) + Sync) -> Vec<T> {
-        let of_piece = |piece: &[Spot]| {
-            let mut sums = vec![T::default(); self.cells];
-            piece.iter().for_each(|spot| add(&mut sums, spot));
-            sums
+    /// One `T` for each cell, added up over the pieces in their order.
+    fn added<T: Plus + Default + Clone + Send>(&self, add: impl Fn(&Piece, &mut [T]) + Sync) -> Vec<T> {
+        let none = || vec![T::default(); self.region.blocks() * RINGS];
+        let of_piece = |piece: &Piece| {
+            let mut of_cells = none();
+            add(piece, &mut of_cells);
+            of_cells
         };
-        let pieces: Vec<Vec<T>> = self.spots.par_chunks(PIECE).map(of_piece).collect();
-        let plus = |mut all: Vec<T>, piece: &Vec<T>| {
+        let pieces: Vec<Vec<T>> = self.pieces.par_iter().map(of_piece).collect();
+        pieces.iter().fold(none(), |mut all, piece| {
             all.iter_mut().zip(piece).for_each(|(all, piece)| all.plus(piece));
             all
-        };
-        pieces.iter().fold(vec![T::default(); self.cells], plus)
-    }
-}
-
-/// Reads a region row by row.
-fn spots(view: &View, region: &Region, light: &Light) -> (Vec<Spot>, Counts) {
-    const ROWS: usize = 16;
-    let rows: Vec<u32> = region.rows(view.photo).collect();
-    let of_rows = |rows: &[u32]| {
-        let (mut spots, mut counts) = (Vec::new(), Counts::default());
-        for (column, row, place) in rows.iter().flat_map(|row| region.pixels_of_row(view.photo, *row)) {
-            let Some(pixel) = view.pixel(column, row) else { continue };
-            counts.add(0, &pixel);
-            let reflectance = light.reflectance(view, &pixel, &place);
-            let is_usable = usable_channels(&pixel);
-            let bit = |i: usize| u8::from(is_usable[i] && reflectance[i].is_finite()) << i;
-            spots.push(Spot {
-                reflectance: reflectance.map(|value| value as f32),
-                of_r: place.weights.of_r as f32,
-                of_h: place.weights.of_h as f32,
-                cosine: place.cosine as f32,
-                cell: (place.block * RINGS + place.ring) as u16,
-                usable: bit(0) | bit(1) | bit(2),
-            });
-        }
-        (spots, counts)
-    };
-    let pieces: Vec<(Vec<Spot>, Counts)> = rows.par_chunks(ROWS).map(of_rows).collect();
-    let mut all = (Vec::with_capacity(pieces.iter().map(|piece| piece.0.len()).sum()), Counts::default());
-    for (spots, counts) in pieces {
-        all.0.extend(spots);
-        all.1.plus(&counts);
-    }
-    all
-}
-
-/// A sum that can be added to.
-trait Plus {
-    fn plus(&mut self, other: &Self);
-}
-
-/// Sums over the spots of a cell: of those that every channel may use together, of others for each channel.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    whole: Angles,
-    reflectance: [f64; 3],
-    partial: [Angles; 3],
-}
-
-/// How many spots, and the sums of what their angles give.
-#[derive(Clone, Copy, Default)]
-struct Angles {
-    count: f64,
-    of_r: f64,
-    of_h: f64,
-    cosine: f64,
-}
-
-impl Angles {
-    fn add(&mut self, spot: &Spot) {
-        self.count += 1.0;
-        self.of_r += f64::from(spot.of_r);
-        self.of_h += f64::from(spot.of_h);
-        self.cosine += f64::from(spot.cosine);
-    }
-}
-
-impl Plus for Angles {
-    fn plus(&mut self, other: &Self) {
-        self.count += other.count;
-        self.of_r += other.of_r;
-        self.of_h += other.of_h;
-        self.cosine += other.cosine;
-    }
-}
-
-impl Sum {
-    fn add(&mut self, spot: &Spot) {
-        if spot.usable == ALL_CHANNELS {
-            self.whole.add(spot);
-            self.reflectance.iter_mut().zip(spot.reflectance).for_each(|(sum, value)| *sum += f64::from(value));
-            return;
-        }
-        for channel in (0..3).filter(|channel| spot.is_usable(*channel)) {
-            self.partial[channel].add(spot);
-            self.reflectance[channel] += f64::from(spot.reflectance[channel]);
-        }
-    }
-
-    fn cell(&self, stratum: usize, index: usize, channel: usize) -> Option<Cell> {
-        let mut angles = self.whole;
-        angles.plus(&self.partial[channel]);
-        let Angles { count, of_r, of_h, cosine } = angles;
-        (count > 0.0).then(|| Cell {
-            stratum,
-            block: index / RINGS,
-            ring: index % RINGS,
-            count: count as usize,
-            reflectance: self.reflectance[channel] / count,
-            weights: Weights { of_r: of_r / count, of_h: of_h / count, of_white: (count - of_r - of_h) / count },
-            cosine: cosine / count,
         })
     }
 }
 
-impl Plus for Sum {
-    fn plus(&mut self, other: &Self) {
-        self.whole.plus(&other.whole);
-        self.reflectance.iter_mut().zip(other.reflectance).for_each(|(sum, value)| *sum += value);
-        self.partial.iter_mut().zip(&other.partial).for_each(|(sum, other)| sum.plus(other));
-    }
-}
+/// How far a pixel may lie from a curve, as it is compared: without bound in place of a fourth channel.
+struct Limits([f32; 4]);
 
-/// Count, sum and sum of squares of what is left around a curve.
-#[derive(Clone, Copy, Default)]
-struct Scatter {
-    count: f64,
-    sum: f64,
-    squares: f64,
-}
-
-impl Scatter {
-    fn add(&mut self, residual: f64) {
-        self.count += 1.0;
-        self.sum += residual;
-        self.squares += residual * residual;
+impl Limits {
+    fn of([red, green, blue]: [f64; 3]) -> Self {
+        Self([red as f32, green as f32, blue as f32, f32::INFINITY])
     }
 
-    fn variance(&self) -> Option<f64> {
-        let left = (self.squares - self.sum * self.sum / self.count).max(0.0);
-        (self.count > 1.0).then(|| left / (self.count - 1.0))
-    }
-}
-
-impl Plus for [Scatter; 3] {
-    fn plus(&mut self, other: &Self) {
-        for (sum, other) in self.iter_mut().zip(other) {
-            sum.count += other.count;
-            sum.sum += other.sum;
-            sum.squares += other.squares;
-        }
+    /// True where a channel is beyond its limit; no number is beyond none.
+    #[inline]
+    fn are_exceeded(&self, spot: Spot, expected: &Radial<4>) -> bool {
+        let expected = expected.at(spot.place());
+        // Every channel is compared, so that one comparison of whole registers serves.
+        (0..4).fold(false, |beyond, i| beyond | ((spot.0[i] - expected[i]).abs() > self.0[i]))
     }
 }

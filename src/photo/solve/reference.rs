@@ -1,7 +1,7 @@
 //! The light of each spot of a ball, read off a reference ball in the same surroundings.
 
 use super::MatchError;
-use super::region::Place;
+use super::facing::Facing;
 use super::view::View;
 use crate::metal::{ReflectanceTable, metal_by_name};
 use crate::photo::statistics::usable_channels;
@@ -28,11 +28,11 @@ impl ReferenceField {
         self.reflectance.at(1.0).0
     }
 
-    /// L where a body shows `place`: it and the ball mirror the same direction at the same normal.
+    /// L where a body faces this way: it and the ball mirror the same direction at the same normal.
     ///
     /// NaN in a channel where one of the four pixels around the spot is missing, clipped or not finite.
-    pub fn light(&self, view: &View, place: &Place) -> [f64; 3] {
-        let [u, v] = place.normal;
+    pub fn light(&self, view: &View, facing: &Facing) -> [f64; 3] {
+        let [u, v] = facing.normal;
         let (x, y) = (self.circle.x + u * self.circle.radius - 0.5, self.circle.y + v * self.circle.radius - 0.5);
         let (column, row) = (x.floor(), y.floor());
         let (s, t) = (x - column, y - row);
@@ -48,7 +48,7 @@ impl ReferenceField {
                 sum[i] += weight * value;
             }
         }
-        let reflectance = self.reflectance.at(place.cosine);
+        let reflectance = self.reflectance.at(facing.cosine);
         std::array::from_fn(|i| sum[i] / reflectance[i])
     }
 }

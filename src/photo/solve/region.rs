@@ -1,8 +1,10 @@
-//! The parts of a picture a match reads, and the angle each pixel shows.
+//! The parts of a picture a match reads, cut into cells, and the angle each pixel shows.
 
 use std::ops::Range;
 
 use super::MatchError;
+use super::facing::Facings;
+use super::stretch::{Stretch, crossings_of_ball, crossings_of_cylinder};
 use super::view::View;
 use crate::fresnel::{CosTheta, Weights};
 use crate::photo::area::pixel_range;
@@ -34,7 +36,10 @@ pub(super) struct Regions {
 #[derive(Debug)]
 pub(super) struct Region {
     shape: Shape,
-    radial: Option<RadialTable>,
+    /// sin θ where a ring begins, and where the last one ends.
+    rings: [f64; RINGS + 1],
+    /// One row in so many is read, the same ones whatever the outline.
+    row_step: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -45,17 +50,6 @@ enum Shape {
     OnBody { area: Area, body: Body, margin: f64 },
     /// An area of one known angle.
     Flat { area: Area, facing: CosTheta },
-}
-
-/// Where a pixel belongs: a block for the jackknife, a ring for the fit, the weights of its angle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub block: usize,
-    pub ring: usize,
-    pub weights: Weights,
-    pub cosine: f64,
-    /// The surface normal, right and down; zero where there is no outline.
-    pub normal: [f64; 2],
 }
 
 impl Regions {
@@ -70,7 +64,7 @@ impl Regions {
         }
         for (region, what) in [(&regions.inner, "facing area"), (&regions.outer, "edge area")] {
             if let Some(region) = region
-                && region.pixels(view.photo).next().is_none()
+                && region.rows(view.photo).all(|row| region.stretches(view.photo, row).is_empty())
             {
                 let what = if let Shape::Band { body, .. } = region.shape { body.noun() } else { what };
                 return Err(MatchError::NoPixels { what });
@@ -102,6 +96,13 @@ impl Regions {
         let band = |band_deg| Some(Region::new(Shape::band(body, band_deg, Self::RIM_MARGIN_PX / body.radius())));
         Self { inner: band(INNER_DEG), outer: band(OUTER_DEG.start..90.0) }
     }
+
+    /// The same regions with fewer rows of large ones: enough for a difference between two fits, in which what the
+    /// pixels have in common cancels.
+    pub fn sparse(self) -> Self {
+        let sparse = |region: Option<Region>| region.map(Region::sparse);
+        Self { inner: sparse(self.inner), outer: sparse(self.outer) }
+    }
 }
 
 /// The margin inside the outline as a share of the radius: that of the smaller of the bodies that are read.
@@ -117,97 +118,23 @@ impl Shape {
         let to_rho = rho(band_deg.end).min(1.0 - margin);
         Self::Band { body, from_rho: rho(band_deg.start), to_rho }
     }
-}
 
-impl Region {
-    fn new(shape: Shape) -> Self {
-        let radial = shape.body().map(|body| RadialTable::of(body.radius()));
-        Self { shape, radial }
-    }
-
-    /// True for a band of a body, false for a picked area.
-    pub fn is_band(&self) -> bool {
-        matches!(self.shape, Shape::Band { .. })
-    }
-
-    /// The picked area, if it is one.
-    pub fn picked(&self) -> Option<Area> {
-        match self.shape {
-            Shape::Band { .. } => None,
-            Shape::OnBody { area, .. } | Shape::Flat { area, .. } => Some(area),
-        }
-    }
-
-    /// How many blocks the jackknife leaves out in turn.
-    pub fn blocks(&self) -> usize {
-        if self.is_band() { SECTORS } else { TILES * TILES }
-    }
-
-    /// The pixels of a picture that belong to it, each with its place.
-    pub fn pixels(&self, photo: &Photo) -> impl Iterator<Item = (u32, u32, Place)> {
-        self.rows(photo).flat_map(move |row| self.pixels_of_row(photo, row))
-    }
-
-    /// The rows of a picture that may hold pixels of it.
-    pub fn rows(&self, photo: &Photo) -> impl Iterator<Item = u32> + use<> {
-        let [_, y, _, height] = self.shape.bounds();
-        pixel_range(y, height, photo.height).step_by(self.shape.stride())
-    }
-
-    /// The pixels of one row.
-    pub fn pixels_of_row(&self, photo: &Photo, row: u32) -> impl Iterator<Item = (u32, u32, Place)> + use<'_> {
-        let [x, _, width, _] = self.shape.bounds();
-        let columns = pixel_range(x, width, photo.width).step_by(self.shape.stride());
-        columns.filter_map(move |column| {
-            let place = self.place(f64::from(column) + 0.5, f64::from(row) + 0.5)?;
-            Some((column, row, place))
+    /// Rings across the middle and across a picked area weigh as much as they show; those of a band of grazing angles
+    /// are of equal angles.
+    fn rings(self) -> [f64; RINGS + 1] {
+        std::array::from_fn(|ring| {
+            let share = ring as f64 / RINGS as f64;
+            match self {
+                Self::Band { from_rho, to_rho, .. } if from_rho > 0.0 => {
+                    (from_rho.asin() + share * (to_rho.asin() - from_rho.asin())).sin()
+                }
+                Self::Band { body, to_rho, .. } => body.sine_of_area_share(share, to_rho),
+                Self::OnBody { body, margin, .. } => body.sine_of_area_share(share, 1.0).min(1.0 - margin),
+                Self::Flat { .. } => 0.0,
+            }
         })
     }
 
-    /// True when part of a picked area lies beside the body.
-    pub fn leaves_body(&self, photo: &Photo) -> bool {
-        let is_outside = |(column, row)| self.place(f64::from(column) + 0.5, f64::from(row) + 0.5).is_none();
-        self.picked().is_some_and(|area| area.pixels(photo.width, photo.height).any(is_outside))
-    }
-
-    fn place(&self, x: f64, y: f64) -> Option<Place> {
-        match self.shape {
-            Shape::Band { body, from_rho, to_rho } => {
-                let rho = body.sine(x, y).filter(|rho| (from_rho..to_rho).contains(rho))?;
-                let share = if from_rho > 0.0 {
-                    (rho.asin() - from_rho.asin()) / (to_rho.asin() - from_rho.asin())
-                } else {
-                    body.area_share(rho, to_rho)
-                };
-                Some(self.place_on(body, body.part(x, y, SECTORS), ring(share), (x, y)))
-            }
-            Shape::OnBody { area, body, margin } => {
-                let rho = body.sine(x, y).filter(|rho| *rho < 1.0 - margin)?;
-                let ring = ring(body.area_share(rho, 1.0));
-                area.contains(x, y).then(|| self.place_on(body, tile(area, x, y), ring, (x, y)))
-            }
-            Shape::Flat { area, facing } => area.contains(x, y).then(|| Place {
-                block: tile(area, x, y),
-                ring: 0,
-                weights: Weights::at(facing),
-                cosine: facing.get(),
-                normal: [0.0; 2],
-            }),
-        }
-    }
-
-    fn place_on(&self, body: Body, block: usize, ring: usize, (x, y): (f64, f64)) -> Place {
-        let normal = body.normal(x, y).unwrap_or_default();
-        let rho = normal[0].hypot(normal[1]);
-        Place { block, ring, weights: self.weights_at(rho), cosine: cosine(rho), normal }
-    }
-
-    fn weights_at(&self, rho: f64) -> Weights {
-        self.radial.as_ref().map_or_else(|| Weights::at(CosTheta::FACING), |table| table.at(rho))
-    }
-}
-
-impl Shape {
     fn body(self) -> Option<Body> {
         match self {
             Self::Band { body, .. } | Self::OnBody { body, .. } => Some(body),
@@ -215,12 +142,11 @@ impl Shape {
         }
     }
 
-    /// Of a large ball every second pixel each way is read, or every third…: neighbours correlate, and
-    /// the surroundings limit what is known long before 200 000 pixels do.
-    fn stride(self) -> usize {
-        const ENOUGH_RADIUS_PX: f64 = 250.0;
-        let [_, _, width, height] = self.bounds();
-        ((width.min(height) / 2.0 / ENOUGH_RADIUS_PX) as usize).max(1)
+    fn area(self) -> Option<Area> {
+        match self {
+            Self::Band { .. } => None,
+            Self::OnBody { area, .. } | Self::Flat { area, .. } => Some(area),
+        }
     }
 
     fn bounds(self) -> [f64; 4] {
@@ -231,48 +157,118 @@ impl Shape {
     }
 }
 
-/// cos θ of sin θ = ρ.
-fn cosine(rho: f64) -> f64 {
-    (1.0 - rho * rho).max(0.0).sqrt()
+impl Region {
+    /// Of a rectangle of more pixels than this every second row is read, or every third…: they are to stay in memory
+    /// while they are fitted, 16 bytes each.
+    const MOST_PIXELS: f64 = 6_000_000.0;
+
+    fn new(shape: Shape) -> Self {
+        let [_, _, width, height] = shape.bounds();
+        let row_step = (width * height / Self::MOST_PIXELS).ceil().max(1.0) as u32;
+        Self { shape, rings: shape.rings(), row_step }
+    }
+
+    /// With as many pixels as a ball of 250 to 500 in radius has.
+    fn sparse(self) -> Self {
+        const ENOUGH_PX: f64 = 500.0;
+        let [_, _, width, height] = self.shape.bounds();
+        Self { row_step: ((width.min(height) / ENOUGH_PX) as u32).pow(2).max(self.row_step), ..self }
+    }
+
+    /// True for a band of a body, false for a picked area.
+    pub fn is_band(&self) -> bool {
+        matches!(self.shape, Shape::Band { .. })
+    }
+
+    /// The picked area, if it is one.
+    pub fn picked(&self) -> Option<Area> {
+        self.shape.area()
+    }
+
+    /// What a pixel that shows this cosine weighs r, h and white by.
+    pub fn weights(&self, cosine: f64) -> Weights {
+        match self.shape {
+            Shape::Band { body, .. } | Shape::OnBody { body, .. } => footprint_mean(cosine, 1.0 / body.radius()),
+            Shape::Flat { facing, .. } => Weights::at(facing),
+        }
+    }
+
+    /// How many blocks the jackknife leaves out in turn.
+    pub fn blocks(&self) -> usize {
+        if self.is_band() { SECTORS } else { TILES * TILES }
+    }
+
+    /// The rows of a picture that may hold pixels of it.
+    pub fn rows(&self, photo: &Photo) -> impl Iterator<Item = u32> + use<> {
+        let ([_, y, _, height], row_step) = (self.shape.bounds(), self.row_step);
+        pixel_range(y, height, photo.height).filter(move |row| row % row_step == 0)
+    }
+
+    /// The pixels of a row, cut where cells end, from left to right.
+    pub fn stretches(&self, photo: &Photo, row: u32) -> Vec<Stretch> {
+        let y = f64::from(row) + 0.5;
+        let columns = self.columns(photo, row);
+        Stretch::between(columns, &self.crossings(y), |x| self.cell(x, y))
+    }
+
+    fn columns(&self, photo: &Photo, row: u32) -> Range<u32> {
+        let [x, _, width, _] = self.shape.bounds();
+        self.shape.area().map_or_else(|| pixel_range(x, width, photo.width), |area| area.columns(row, photo.width))
+    }
+
+    /// Where a row crosses from one cell to another, or out of the region, in any order.
+    fn crossings(&self, y: f64) -> Vec<f64> {
+        let parts = if self.is_band() { SECTORS } else { 0 };
+        let mut crossings = match self.shape.body() {
+            Some(Body::Ball(circle)) => crossings_of_ball(circle, &self.rings, parts, y),
+            Some(Body::Cylinder(cylinder)) => crossings_of_cylinder(cylinder, &self.rings, parts, y),
+            None => Vec::new(),
+        };
+        if let Some(area) = self.shape.area() {
+            let [left, _, width, _] = area.bounds();
+            crossings.extend((1..TILES).map(|tile| left + width * tile as f64 / TILES as f64));
+        }
+        crossings
+    }
+
+    /// The cell of a point in the columns of its row: block times [`RINGS`] plus ring; `None` where there is none.
+    fn cell(&self, x: f64, y: f64) -> Option<usize> {
+        let block = |body: Body| self.shape.area().map_or_else(|| body.part(x, y, SECTORS), |area| tile(area, x, y));
+        match self.shape {
+            Shape::Band { body, .. } | Shape::OnBody { body, .. } => {
+                let ring = self.ring(body.sine(x, y)?)?;
+                Some(block(body) * RINGS + ring)
+            }
+            Shape::Flat { area, .. } => Some(tile(area, x, y) * RINGS),
+        }
+    }
+
+    fn ring(&self, rho: f64) -> Option<usize> {
+        let begun = self.rings.iter().filter(|start| rho >= **start).count();
+        (1..=RINGS).contains(&begun).then(|| begun - 1)
+    }
+
+    /// True when part of a picked area lies beside the body.
+    pub fn leaves_body(&self, photo: &Photo) -> bool {
+        let is_outside = |(column, row)| self.cell(f64::from(column) + 0.5, f64::from(row) + 0.5).is_none();
+        self.picked().is_some_and(|area| area.pixels(photo.width, photo.height).any(is_outside))
+    }
+
+    /// Which way the pixels of a row face.
+    pub fn facings(&self, row: u32) -> Facings {
+        let y = f64::from(row) + 0.5;
+        match self.shape {
+            Shape::Band { body, .. } | Shape::OnBody { body, .. } => Facings::along(body, y),
+            Shape::Flat { facing, .. } => Facings::even(facing),
+        }
+    }
 }
 
-/// Rings of equal area, so that each weighs as much as it shows.
-fn ring(share: f64) -> usize {
-    ((share * RINGS as f64) as usize).min(RINGS - 1)
-}
-
-fn tile(area: Area, x: f64, y: f64) -> usize {
-    let [left, top, width, height] = area.bounds();
-    let index = |offset: f64, size: f64| ((offset / size * TILES as f64) as usize).min(TILES - 1);
-    index(y - top, height) * TILES + index(x - left, width)
-}
-
-/// The weights over ρ, each the mean over a pixel's footprint.
+/// The mean of the weights over a pixel of this size, in radii: half a pixel each way, by five points in its middle.
 ///
 /// Near the rim a pixel covers several degrees: on a ball of 100 px the one around 82° spans 80–84°.
-#[derive(Debug)]
-struct RadialTable(Vec<Weights>);
-
-impl RadialTable {
-    const STEPS: usize = 4096;
-
-    fn of(radius_px: f64) -> Self {
-        let rho = |step: usize| (step as f64 / Self::STEPS as f64).sqrt();
-        Self((0..=Self::STEPS).map(|step| footprint_mean(rho(step), 1.0 / radius_px)).collect())
-    }
-
-    /// Linear in ρ² between the steps: that is where angles crowd.
-    fn at(&self, rho: f64) -> Weights {
-        let position = (rho * rho).clamp(0.0, 1.0) * Self::STEPS as f64;
-        let step = (position as usize).min(Self::STEPS - 1);
-        let share = position - step as f64;
-        let mix = |of: fn(&Weights) -> f64| of(&self.0[step]) * (1.0 - share) + of(&self.0[step + 1]) * share;
-        Weights { of_r: mix(|w| w.of_r), of_h: mix(|w| w.of_h), of_white: mix(|w| w.of_white) }
-    }
-}
-
-/// The mean of the weights over `rho` ± half a pixel, by five points in its middle.
-fn footprint_mean(rho: f64, pixel: f64) -> Weights {
+fn footprint_mean(cosine: f64, pixel: f64) -> Weights {
+    let rho = (1.0 - cosine * cosine).sqrt();
     let points = [-0.4, -0.2, 0.0, 0.2, 0.4].map(|offset| {
         let rho = (rho + offset * pixel).clamp(0.0, 1.0);
         Weights::at(CosTheta::new((1.0 - rho * rho).sqrt()))
@@ -281,32 +277,73 @@ fn footprint_mean(rho: f64, pixel: f64) -> Weights {
     Weights { of_r: mean(|w| w.of_r), of_h: mean(|w| w.of_h), of_white: mean(|w| w.of_white) }
 }
 
+fn tile(area: Area, x: f64, y: f64) -> usize {
+    let [left, top, width, height] = area.bounds();
+    let index = |offset: f64, size: f64| ((offset / size * TILES as f64) as usize).min(TILES - 1);
+    index(y - top, height) * TILES + index(x - left, width)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::photo::Circle;
+    use crate::photo::{Circle, Cylinder};
+
+    fn photo() -> Photo {
+        Photo::from_linear("test", 60, 60, vec![[1.0; 3]; 3600])
+    }
+
+    fn pixels(region: &Region) -> Vec<(u32, u32, usize)> {
+        let photo = photo();
+        let of_row = |row| region.stretches(&photo, row).into_iter().map(move |stretch| (row, stretch));
+        let stretches = region.rows(&photo).flat_map(of_row);
+        stretches.flat_map(|(row, Stretch { columns, cell })| columns.map(move |column| (column, row, cell))).collect()
+    }
 
     #[test]
     fn the_footprint_shrinks_to_the_point() {
         for angle_deg in [0.0_f64, 30.0, 60.0, 82.0] {
-            let rho = angle_deg.to_radians().sin();
             let point = Weights::at(CosTheta::from_deg(angle_deg));
-            assert!((footprint_mean(rho, 1e-9).of_h - point.of_h).abs() < 1e-6);
-            assert!((RadialTable::of(1e6).at(rho).of_h - point.of_h).abs() < 1e-3);
+            assert!((footprint_mean(angle_deg.to_radians().cos(), 1e-9).of_h - point.of_h).abs() < 1e-6);
         }
     }
 
     #[test]
     fn bands_keep_clear_of_the_outline() {
-        let photo = Photo::from_linear("test", 60, 60, vec![[1.0; 3]; 3600]);
         let circle = Circle::new(30.0, 30.0, 25.0);
         let request = MatchRequest { circle: Some(circle), ..MatchRequest::default() };
         let regions = Regions::with_body(&request, request.body());
         let farthest = |region: &Option<Region>| {
             let rho = |(x, y, _)| circle.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
-            region.as_ref().unwrap().pixels(&photo).map(rho).fold(0.0, f64::max)
+            pixels(region.as_ref().unwrap()).into_iter().map(rho).fold(0.0, f64::max)
         };
         assert!(farthest(&regions.inner) <= 40.0_f64.to_radians().sin());
         assert!(farthest(&regions.outer) <= 1.0 - 1.5 / 25.0);
+    }
+
+    /// Stretches hold every pixel of a region, and each in the cell that its own place gives.
+    #[test]
+    fn stretches_hold_what_each_pixel_alone_gives() {
+        let ball = Body::Ball(Circle::new(29.7, 31.2, 24.6));
+        let cylinder = Body::Cylinder(Cylinder::new([8.3, 12.1], [51.9, 44.7], 13.4));
+        for body in [ball, cylinder] {
+            let margin = 1.5 / body.radius();
+            let shapes = [
+                Shape::band(body, INNER_DEG, margin),
+                Shape::band(body, OUTER_DEG, margin),
+                Shape::OnBody { area: Area::disc(31.3, 28.9, 20.2), body, margin },
+                Shape::OnBody { area: Area::rectangle(-4.0, 17.3, 50.0, 30.1), body, margin },
+                Shape::Flat { area: Area::rectangle(10.2, 17.3, 20.0, 50.1), facing: CosTheta::MAX },
+            ];
+            for region in shapes.map(Region::new) {
+                let is_inside = |x, y| region.picked().is_none_or(|area| area.contains(x, y));
+                let of_pixel = |column: u32, row: u32| {
+                    let (x, y) = (f64::from(column) + 0.5, f64::from(row) + 0.5);
+                    region.cell(x, y).filter(|_| is_inside(x, y)).map(|cell| (column, row, cell))
+                };
+                let expected: Vec<_> = (0..3600).filter_map(|i| of_pixel(i % 60, i / 60)).collect();
+                assert!(!expected.is_empty());
+                assert_eq!(pixels(&region), expected, "{region:?}");
+            }
+        }
     }
 }

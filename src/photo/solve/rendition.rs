@@ -3,12 +3,13 @@
 use rayon::prelude::*;
 use thiserror::Error;
 
+use super::facing::Facing;
 use super::light::Light;
 use super::outcome::{Match, MatchError};
-use super::region::{Place, Regions};
+use super::region::Regions;
 use super::view::View;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
-use crate::fresnel::{CosTheta, FresnelModel, Weights};
+use crate::fresnel::{CosTheta, FresnelModel};
 use crate::photo::area::pixel_range;
 use crate::photo::{Area, Body, LightMode, Photo};
 
@@ -175,9 +176,9 @@ impl Scene {
                 let normal = body.normal(x, y)?;
                 let sine = Some(normal[0].hypot(normal[1])).filter(|sine| *sine < 1.0)?;
                 let angle = CosTheta::new((1.0 - sine * sine).sqrt());
-                let place = Place { block: 0, ring: 0, weights: Weights::at(angle), cosine: angle.get(), normal };
+                let facing = Facing { cosine: angle.get(), normal };
                 let is_sure = (1.0 - sine) * body.radius() > Regions::RIM_MARGIN_PX;
-                Some((angle, self.light.at(view, &place), is_sure))
+                Some((angle, self.light.at(view, &facing), is_sure))
             }
             Surface::Mirror { area, angle, card } => area.contains(x, y).then_some((*angle, *card, true)),
         }

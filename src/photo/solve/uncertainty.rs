@@ -109,8 +109,8 @@ fn of_angle(view: &View, request: &MatchRequest, light: &Light) -> [[f64; 2]; 3]
     let Some(body) = request.body() else { return [[0.0; 2]; 3] };
     let error = request.radius_uncertainty_px().min(body.radius() / 2.0);
     let fits = [-error, error].map(|change| {
-        let regions = Regions::with_body(request, Some(body.with_radius(body.radius() + change)));
-        fit_metal(&Readings::of(view, &regions, light).cells(None), &regions).0.fits
+        let regions = Regions::with_body(request, Some(body.with_radius(body.radius() + change))).sparse();
+        fit_metal(&Readings::of(view, &regions, light).sums().cells(), &regions).0.fits
     });
     let [smaller, larger] = &fits;
     std::array::from_fn(|i| {

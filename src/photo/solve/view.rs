@@ -1,5 +1,7 @@
 //! A photograph as a match reads it: through the grey scale where there is one.
 
+use std::ops::Range;
+
 use super::MatchError;
 use crate::photo::tone::ToneCurve;
 use crate::photo::{Area, AreaStatistics, MatchRequest, Photo, Pixel};
@@ -24,6 +26,14 @@ impl<'a> View<'a> {
     /// The pixel in a column and row; `None` outside.
     pub fn pixel(&self, column: u32, row: u32) -> Option<Pixel> {
         self.photo.pixel(column, row).map(|pixel| self.corrected(pixel))
+    }
+
+    /// Hands on the pixels of a row in some columns, from left to right; columns outside are left out.
+    pub fn for_each_of_row(&self, row: u32, columns: Range<u32>, mut take: impl FnMut(Pixel)) {
+        match &self.tone {
+            None => self.photo.for_each_of_row(row, columns, take),
+            Some(_) => self.photo.for_each_of_row(row, columns, |pixel| take(self.corrected(pixel))),
+        }
     }
 
     fn corrected(&self, mut pixel: Pixel) -> Pixel {
