@@ -42,7 +42,13 @@ pub(super) enum Curve {
 
 impl Curve {
     /// The linear value of an encoded one. Outside `[0, 1]` every curve continues instead of clamping.
+    #[inline]
     pub fn decode(&self, encoded: f64) -> f64 {
+        // Floats have no table, so that each of their values comes here.
+        if matches!(self, Self::Linear) { encoded } else { self.bend(encoded) }
+    }
+
+    fn bend(&self, encoded: f64) -> f64 {
         let mirrored = |f: &dyn Fn(f64) -> f64| f(encoded.abs()).copysign(encoded);
         match self {
             Self::Linear => encoded,

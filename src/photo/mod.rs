@@ -51,6 +51,6 @@ pub use preview::Preview;
 pub use recipe::Recipe;
 pub use request::{MatchRequest, MirrorPair, ReferenceBall};
 pub use rule::ColourRule;
-pub use solve::{CardReading, Match, MatchError, Rendition, RenditionError, UncertaintyBudget, solve};
+pub use solve::{CardReading, Match, MatchError, MatchPixels, Rendition, RenditionError, UncertaintyBudget, solve};
 pub use statistics::AreaStatistics;
 pub use warning::{Warning, WarningCode};

@@ -6,7 +6,7 @@ use crate::color::{srgb_decode, srgb_encode};
 /// Curves from a photograph's values to reflectance under its light, one for each channel.
 #[derive(Clone, Debug)]
 pub(super) struct ToneCurve {
-    channels: [MonotoneCubic; 3],
+    channels: [Tabulated; 3],
     /// How far the curve is off, relative: half the mean error at a patch when it is left out.
     pub relative_uncertainty: f64,
     /// Reflectance of the brightest patch; above it the curve is extended.
@@ -32,7 +32,7 @@ impl ToneCurve {
         let [red, green, blue] = points.each_ref().map(|points| MonotoneCubic::through(points));
         let error = points.iter().map(|points| leave_one_out_error(points)).sum::<f64>() / 3.0;
         Some(Self {
-            channels: [red?, green?, blue?],
+            channels: [red?, green?, blue?].map(Tabulated::of),
             relative_uncertainty: 0.5 * error,
             brightest: patches.last()?.1,
             extension_error: points.each_ref().map(|points| extension_error(points)),
@@ -55,8 +55,38 @@ impl ToneCurve {
 
     /// The reflectance of a value of a channel.
     pub fn reflectance(&self, channel: usize, value: f64) -> f64 {
-        srgb_decode(self.channels[channel].at(srgb_encode(value)))
+        self.channels[channel].reflectance(value)
     }
+}
+
+/// A curve and its values at equal steps of the root of a linear value, since every pixel asks for three.
+#[derive(Clone, Debug)]
+struct Tabulated {
+    curve: MonotoneCubic,
+    values: Vec<f64>,
+}
+
+impl Tabulated {
+    /// What a curve bends between two steps is below 1e-6.
+    const STEPS: usize = 2048;
+
+    fn of(curve: MonotoneCubic) -> Self {
+        let value = |step: usize| exact_reflectance(&curve, (step as f64 / Self::STEPS as f64).powi(2));
+        Self { values: (0..=Self::STEPS).map(value).collect(), curve }
+    }
+
+    fn reflectance(&self, value: f64) -> f64 {
+        let position = value.sqrt() * Self::STEPS as f64;
+        let step = position as usize;
+        match self.values.get(step..=step + 1) {
+            Some([before, after]) if position >= 0.0 => before + (after - before) * (position - step as f64),
+            _ => exact_reflectance(&self.curve, value),
+        }
+    }
+}
+
+fn exact_reflectance(curve: &MonotoneCubic, value: f64) -> f64 {
+    srgb_decode(curve.at(srgb_encode(value)))
 }
 
 /// Both axes sRGB-encoded, so that dark patches count as much as bright ones.
@@ -158,6 +188,21 @@ mod tests {
         assert!(extension_error(&straight) < 1e-12);
         let bent = [(0.0, 0.0), (0.3, 0.25), (0.5, 0.5), (0.6, 0.75)];
         assert!(extension_error(&bent) > 0.1);
+    }
+
+    /// Patches as a camera shows them; beyond 0 to 1 no table is asked.
+    #[test]
+    fn the_table_is_the_curve() {
+        let codes = [0.0, 0.20, 0.36, 0.54, 0.72, 0.87, 0.96];
+        let points: Vec<(f64, f64)> =
+            codes.iter().zip([0.0, 0.19, 0.33, 0.47, 0.63, 0.79, 0.95]).map(|(x, y)| (*x, y)).collect();
+        let curve = MonotoneCubic::through(&points).unwrap();
+        let tabulated = Tabulated::of(curve.clone());
+        for value in (-100..=12_000).map(|i| f64::from(i) / 1e4).chain([1e-9, 0.0, 1.0, 1e9]) {
+            let (found, exact) = (tabulated.reflectance(value), exact_reflectance(&curve, value));
+            assert!((found - exact).abs() < 1e-6, "{value}: {found} {exact}");
+        }
+        assert!(tabulated.reflectance(f64::NAN).is_nan());
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! What to beware of in a match: one sentence for each trap that is seen.
 
-use super::Measured;
 use super::cells::{Cell, Counts};
 use super::light::Light;
+use super::measured::Measured;
 use super::outcome::Match;
 use super::region::{Regions, SECTORS};
 use super::shape::MetalCurve;

@@ -3,10 +3,12 @@
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
+use super::fit::BallFit;
 use super::guard::mirrors_backdrop;
 use super::light::Light;
+use super::measured::Measured;
 use super::uncertainty::Uncertainty;
-use super::{BallFit, Measured};
+
 use crate::color::{Rgb, RgbSpace};
 use crate::photo::{AreaStatistics, Card, LightMode, MatchRequest, Photo, Recipe, Warning};
 
@@ -118,7 +120,7 @@ impl Match {
             light: light.value,
             cards: light.readings(),
             residual: measured.curve.fits.each_ref().map(|fit| known(fit.scatter)),
-            noise: uncertainty.noise.map(known),
+            noise: measured.noise.map(known),
             pixels: measured.counts.iter().map(|counts| counts.pixels).sum(),
             uncertainty: uncertainty.budget,
             request: request.clone(),

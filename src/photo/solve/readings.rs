@@ -14,13 +14,15 @@ use crate::fresnel::Weights;
 use crate::number::median;
 
 /// What was read of both regions.
-pub(super) struct Readings<'a> {
+#[derive(Debug)]
+pub(super) struct Readings {
     /// Facing and grazing.
-    strata: [Option<Stratum<'a>>; 2],
+    strata: [Option<Stratum>; 2],
 }
 
-struct Stratum<'a> {
-    region: &'a Region,
+#[derive(Debug)]
+struct Stratum {
+    region: Region,
     pieces: Vec<Piece>,
     /// The weights of r and h.
     weights: Radial<2>,
@@ -29,10 +31,10 @@ struct Stratum<'a> {
 /// The sums of every cell of both regions.
 pub(super) struct Sums([Vec<Sum>; 2]);
 
-impl<'a> Readings<'a> {
+impl Readings {
     /// Reads both regions under a light.
-    pub fn of(view: &View, regions: &'a Regions, light: &Light) -> Self {
-        let read = |region: &'a Region| Stratum::of(region, read(view, region, light));
+    pub fn of(view: &View, regions: &Regions, light: &Light) -> Self {
+        let read = |region: &Region| Stratum::of(*region, read(view, region, light));
         Self { strata: [&regions.inner, &regions.outer].map(|region| region.as_ref().map(read)) }
     }
 
@@ -82,8 +84,8 @@ impl Sums {
     }
 }
 
-impl<'a> Stratum<'a> {
-    fn of(region: &'a Region, pieces: Vec<Piece>) -> Self {
+impl Stratum {
+    fn of(region: Region, pieces: Vec<Piece>) -> Self {
         let weights = Radial::of(|cosine| {
             let Weights { of_r, of_h, .. } = region.weights(cosine);
             [of_r, of_h]
@@ -144,19 +146,22 @@ impl<'a> Stratum<'a> {
         })
     }
 
-    /// One `T` for each cell, added up over the pieces in their order.
+    /// One `T` for each cell, added up over the pieces in their order, whatever the number of threads.
     fn added<T: Plus + Default + Clone + Send>(&self, add: impl Fn(&Piece, &mut [T]) + Sync) -> Vec<T> {
+        /// Fewer would cost more to begin and to add up than to go over.
+        const PIECES: usize = 8;
         let none = || vec![T::default(); self.region.blocks() * RINGS];
-        let of_piece = |piece: &Piece| {
+        let of_pieces = |pieces: &[Piece]| {
             let mut of_cells = none();
-            add(piece, &mut of_cells);
+            pieces.iter().for_each(|piece| add(piece, &mut of_cells));
             of_cells
         };
-        let pieces: Vec<Vec<T>> = self.pieces.par_iter().map(of_piece).collect();
-        pieces.iter().fold(none(), |mut all, piece| {
-            all.iter_mut().zip(piece).for_each(|(all, piece)| all.plus(piece));
+        let parts: Vec<Vec<T>> = self.pieces.par_chunks(PIECES).map(of_pieces).collect();
+        let plus = |mut all: Vec<T>, part: Vec<T>| {
+            all.iter_mut().zip(&part).for_each(|(all, part)| all.plus(part));
             all
-        })
+        };
+        parts.into_iter().reduce(plus).unwrap_or_else(none)
     }
 }
 
@@ -174,5 +179,128 @@ impl Limits {
         let expected = expected.at(spot.place());
         // Every channel is compared, so that one comparison of whole registers serves.
         (0..4).fold(false, |beyond, i| beyond | ((spot.0[i] - expected[i]).abs() > self.0[i]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fresnel::CosTheta;
+    use crate::number::largest;
+    use crate::photo::solve::measured::fit_metal;
+    use crate::photo::statistics::usable_channels;
+    use crate::photo::{Circle, LightMode, MatchRequest, Photo};
+
+    const BALL: Circle = Circle::new(70.3, 68.9, 64.2);
+
+    /// A ball of two colours with noise, some lamps, a dark spot, clipped floats and values that are no numbers.
+    fn photo() -> Photo {
+        let pixel = |i: u32| {
+            let (column, row) = (i % 140, i / 140);
+            let rho = BALL.rho(f64::from(column) + 0.5, f64::from(row) + 0.5);
+            let weights = Weights::at(CosTheta::new((1.0 - rho * rho).max(0.0).sqrt()));
+            let noise = 0.01 * (f64::from((i.wrapping_mul(2_654_435_761)) >> 20) / 4096.0 - 0.5);
+            let metal = [0.6, 0.5, 0.4].map(|r| (weights.apply(r, r + 0.15) + noise) as f32);
+            match i % 211 {
+                0 => [f32::MAX, metal[1], metal[2]],
+                1 => [f32::NAN, metal[1], metal[2]],
+                2 => [3e7, metal[1], metal[2]],
+                3 => [0.0; 3],
+                _ if column > 60 && column < 70 && row > 40 && row < 50 => [5.0; 3],
+                _ => metal,
+            }
+        };
+        Photo::from_linear("ball", 140, 140, (0..140 * 140).map(pixel).collect())
+    }
+
+    fn request() -> MatchRequest {
+        let light = Some(crate::color::Rgb([0.9, 1.0, 1.1]));
+        MatchRequest { mode: LightMode::ByEye, circle: Some(BALL), light, ..MatchRequest::default() }
+    }
+
+    /// The cells of a channel by a plain loop over single pixels, of those that are kept.
+    fn plain_cells(
+        photo: &Photo,
+        region: &Region,
+        channel: usize,
+        keep: impl Fn([f64; 3], f64) -> bool,
+    ) -> Vec<Sums64> {
+        let light = [0.9, 1.0, 1.1];
+        let mut cells = vec![Sums64::default(); region.blocks() * RINGS];
+        for row in region.rows(photo) {
+            let facings = region.facings(row);
+            for stretch in region.stretches(photo, row) {
+                for column in stretch.columns {
+                    let (pixel, cosine) = (photo.pixel(column, row).unwrap(), facings.at(column).cosine);
+                    let reflectance = std::array::from_fn(|i| pixel.rgb[i] / light[i]);
+                    if usable_channels(&pixel)[channel] && keep(reflectance, cosine) {
+                        let Weights { of_r, of_h, .. } = region.weights(cosine);
+                        let terms = [1.0, reflectance[channel], of_r, of_h, cosine];
+                        cells[stretch.cell].0.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+                    }
+                }
+            }
+        }
+        cells
+    }
+
+    #[derive(Clone, Copy, Default)]
+    struct Sums64([f64; 5]);
+
+    /// Counts and means of every cell are those of a plain loop, with all pixels and without outliers.
+    #[test]
+    fn cells_are_those_of_a_plain_loop() {
+        let (photo, request) = (photo(), request());
+        let view = View::of(&photo, &request).unwrap();
+        let light = Light::of(&view, &request).unwrap();
+        let regions = Regions::of(&view, &request).unwrap();
+        let readings = Readings::of(&view, &regions, &light);
+        let all = readings.sums();
+        let (curve, _) = fit_metal(&all.cells(), &regions);
+        let outliers = Outliers { curve: &curve, limits: [0.02, 0.03, 0.04] };
+        let kept = readings.sums_without(&outliers, &all);
+        for (stratum, region) in [&regions.inner, &regions.outer].into_iter().enumerate() {
+            let region = region.as_ref().unwrap();
+            let keep = |reflectance: [f64; 3], cosine: f64| {
+                let expected = curve.at(region.weights(cosine), cosine);
+                (0..3).all(|i| (reflectance[i] - expected[i]).abs() <= outliers.limits[i])
+            };
+            for channel in 0..3 {
+                assert_same(&all, stratum, channel, &plain_cells(&photo, region, channel, |_, _| true));
+                assert_same(&kept, stratum, channel, &plain_cells(&photo, region, channel, keep));
+            }
+        }
+    }
+
+    fn assert_same(sums: &Sums, stratum: usize, channel: usize, plain: &[Sums64]) {
+        let cells = sums.cells();
+        let mut found = cells[channel].iter().filter(|cell| cell.stratum == stratum);
+        for (index, Sums64([count, reflectance, of_r, of_h, cosine])) in plain.iter().enumerate() {
+            if *count == 0.0 {
+                continue;
+            }
+            let cell = found.next().unwrap();
+            assert_eq!((cell.block * RINGS + cell.ring, cell.count as f64), (index, *count));
+            let pairs = [
+                (cell.reflectance, *reflectance),
+                (cell.weights.of_r, *of_r),
+                (cell.weights.of_h, *of_h),
+                (cell.cosine, *cosine),
+            ];
+            let off = largest(pairs.map(|(mean, sum)| (mean - sum / count).abs() / (sum / count).abs().max(1.0)));
+            assert!(off < 2e-5, "stratum {stratum}, channel {channel}, cell {index}: {cell:?} {pairs:?}");
+        }
+        assert!(found.next().is_none());
+    }
+
+    /// What one thread adds up and what three do is the same to the last bit.
+    #[test]
+    fn threads_change_nothing() {
+        let (photo, request) = (photo(), request());
+        let with = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| crate::photo::solve(&photo, &request, crate::color::RgbSpace::AcesCg).unwrap())
+        };
+        assert_eq!(format!("{:?}", with(1)), format!("{:?}", with(3)));
     }
 }

@@ -33,7 +33,7 @@ pub(super) struct Regions {
 }
 
 /// A band of a body, or an area a person picked.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Region {
     shape: Shape,
     /// sin θ where a ring begins, and where the last one ends.

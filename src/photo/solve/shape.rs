@@ -4,6 +4,8 @@
 //! there would carry into h. A conductor of the same r and h in a wide space follows them closely, so
 //! its difference from Hoffman's curve is taken off the pixels before they are fitted.
 
+use nalgebra::Vector3;
+
 use super::fit::BallFit;
 use crate::color::{Rgb, RgbSpace};
 use crate::fresnel::{CosTheta, FresnelModel, Weights, gulbrandsen, hoffman};
@@ -24,11 +26,12 @@ impl ConductorShape {
         let g = r.zip(h, edge_tint);
         let h = r.zip(g, |r, g| gulbrandsen(r, g, CosTheta::MAX));
         let conductor = FresnelModel::conductor_from_r_g(r, g)?;
+        let rec709_from_wide = WIDE.matrix_to(RgbSpace::LinRec709);
         let difference = |step: usize| {
             let cos_theta = CosTheta::new(step as f64 / Self::STEPS as f64);
             // A difference of reflectances: white cancels, the matrix alone converts it.
             let wide = conductor.reflectance(cos_theta) - r.zip(h, |r, h| hoffman(r, h, cos_theta));
-            WIDE.convert(wide, RgbSpace::LinRec709)
+            Rgb::from(rec709_from_wide * Vector3::from(wide))
         };
         Some(Self((0..=Self::STEPS).map(difference).collect()))
     }

@@ -3,19 +3,18 @@
 use super::cells::Cell;
 use super::fit::{BallFit, Unknowns, least_squares};
 use super::light::Light;
+use super::measured::{Measured, fit_metal};
 use super::outcome::UncertaintyBudget;
 use super::readings::Readings;
 use super::region::{RINGS, Regions};
 use super::view::View;
-use super::{Measured, fit_metal};
+
 use crate::photo::statistics::jackknife_error;
 use crate::photo::{LightMode, MatchRequest};
 
-/// The uncertainty of a match and the noise it was judged by.
+/// The uncertainty of a match.
 pub(super) struct Uncertainty {
     pub budget: UncertaintyBudget,
-    /// Standard deviation of one pixel around the fit.
-    pub noise: [f64; 3],
     /// True when the light or the tone curve is not known.
     pub is_estimate: bool,
 }
@@ -27,7 +26,6 @@ pub(super) fn of(
     regions: &Regions,
     light: &Light,
     measured: &Measured,
-    noise: [f64; 3],
 ) -> Uncertainty {
     let each = |f: &dyn Fn(usize) -> [f64; 2]| std::array::from_fn(f);
     let transfer = |i: usize| {
@@ -41,7 +39,7 @@ pub(super) fn of(
         angle: of_angle(view, request, light),
         transfer: each(&transfer),
     };
-    Uncertainty { budget, noise, is_estimate: view.is_estimate() || request.mode == LightMode::ByEye }
+    Uncertainty { budget, is_estimate: view.is_estimate() || request.mode == LightMode::ByEye }
 }
 
 /// `[r, h]`, 0 for what is not known.
