@@ -1,7 +1,7 @@
 //! The robust least squares fit of r and h to cells.
 
 use super::cells::Cell;
-use super::region::Regions;
+use super::regions::Regions;
 use crate::fresnel::{SCHLICK_WEIGHT_AT_MAX, Weights};
 use crate::number::median;
 

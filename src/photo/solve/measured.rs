@@ -3,7 +3,7 @@
 use super::cells::{Cell, Counts, Outliers};
 use super::fit::{BallFit, fit};
 use super::pixels::MatchPixels;
-use super::region::Regions;
+use super::regions::Regions;
 use super::shape::{ConductorShape, MetalCurve};
 use crate::color::Rgb;
 

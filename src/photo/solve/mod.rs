@@ -1,8 +1,18 @@
 //! From marks in a photograph to r and h.
 //!
 //! A pixel of a ball is L · (A r + B h + C) with weights that depend on the angle alone, so r and h
-//! are a linear least squares fit once the light L is known. [`light`] says what L is, [`readings`] reads
-//! the pixels into [`cells`], [`fit`] solves, [`shape`] takes off what real metals have beyond, [`uncertainty`] says how well, [`guard`] what to beware of.
+//! are a linear least squares fit once the light L is known.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `view`, `light`, `reference`, `solved_light` | the photograph through its grey scale, and what L is |
+//! | `regions`, `region`, `stretch`, `facing` | which pixels are read, in which cells, and which way they face |
+//! | `pixels`, `spots`, `readings` | what is read of them, once, and the passes over it |
+//! | `radial`, `sums`, `cells` | functions of the angle, sums over the pixels of a cell, their means |
+//! | `fit`, `shape`, `measured` | the robust fit, and what a conductor has beyond the two colours |
+//! | `uncertainty`, `guard`, `sharpness` | how well it is known, and what to beware of |
+//! | `mirror` | the ratio of a card in a flat mirror, without a fit |
+//! | `outcome`, `rendition` | the result, and the metal rendered from it |
 
 mod cells;
 mod facing;
@@ -17,6 +27,7 @@ mod radial;
 mod readings;
 mod reference;
 mod region;
+mod regions;
 mod rendition;
 mod shape;
 mod sharpness;

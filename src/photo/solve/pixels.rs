@@ -5,7 +5,7 @@ use super::light::Light;
 use super::measured::Measured;
 use super::outcome::MatchError;
 use super::readings::Readings;
-use super::region::Regions;
+use super::regions::Regions;
 use super::view::View;
 use crate::photo::{MatchRequest, Photo};
 

@@ -5,7 +5,8 @@ use rayon::prelude::*;
 use super::cells::{Cell, Counts, Outliers};
 use super::light::Light;
 use super::radial::Radial;
-use super::region::{RINGS, Region, Regions};
+use super::region::{RINGS, Region};
+use super::regions::Regions;
 use super::shape::MetalCurve;
 use super::spots::{Piece, Spot, read};
 use super::sums::{Plus, Scatters, Sum};
@@ -227,9 +228,9 @@ mod tests {
     ) -> Vec<Sums64> {
         let light = [0.9, 1.0, 1.1];
         let mut cells = vec![Sums64::default(); region.blocks() * RINGS];
-        for row in region.rows(photo) {
+        for row in region.rows([photo.width, photo.height]) {
             let facings = region.facings(row);
-            for stretch in region.stretches(photo, row) {
+            for stretch in region.stretches(row, photo.width) {
                 for column in stretch.columns {
                     let (pixel, cosine) = (photo.pixel(column, row).unwrap(), facings.at(column).cosine);
                     let reflectance = std::array::from_fn(|i| pixel.rgb[i] / light[i]);

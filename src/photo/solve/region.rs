@@ -1,36 +1,19 @@
-//! The parts of a picture a match reads, cut into cells, and the angle each pixel shows.
+//! A part of a picture that a match reads, cut into cells, and the angle each pixel shows.
 
 use std::ops::Range;
 
-use super::MatchError;
 use super::facing::Facings;
 use super::stretch::{Stretch, crossings_of_ball, crossings_of_cylinder};
-use super::view::View;
 use crate::fresnel::{CosTheta, Weights};
 use crate::photo::area::pixel_range;
-use crate::photo::{Area, Body, LightMode, MatchRequest, Photo};
+use crate::photo::{Area, Body, Photo};
 
-/// Where r shows: the middle of the ball, up to 40°.
-const INNER_DEG: Range<f64> = 0.0..40.0;
-/// Where h shows: from 55° to 83°; beyond, edge pixels mix with the backdrop.
-const OUTER_DEG: Range<f64> = 55.0..83.0;
-/// What mirrors the backdrop just beside the rim.
-const RIM_DEG: Range<f64> = 74.0..83.0;
 /// Sectors around a band: what varies with the surroundings varies with the azimuth.
 pub(super) const SECTORS: usize = 24;
 /// Rings across a band.
 pub(super) const RINGS: usize = 8;
 /// Tiles each way across a picked area.
 const TILES: usize = 8;
-
-/// What a match reads: where r shows and where h shows.
-#[derive(Debug)]
-pub(super) struct Regions {
-    /// Facing pixels.
-    pub inner: Option<Region>,
-    /// Grazing pixels.
-    pub outer: Option<Region>,
-}
 
 /// A band of a body, or an area a person picked.
 #[derive(Clone, Copy, Debug)]
@@ -52,73 +35,7 @@ enum Shape {
     Flat { area: Area, facing: CosTheta },
 }
 
-impl Regions {
-    /// Lens blur carries the backdrop this far inside the outline, in pixels.
-    pub const RIM_MARGIN_PX: f64 = 1.5;
-
-    /// A picked area where there is one, else the band of the ball.
-    pub fn of(view: &View, request: &MatchRequest) -> Result<Self, MatchError> {
-        let regions = Self::with_body(request, request.body());
-        if regions.inner.is_none() && regions.outer.is_none() {
-            return Err(MatchError::NothingMarked);
-        }
-        for (region, what) in [(&regions.inner, "facing area"), (&regions.outer, "edge area")] {
-            if let Some(region) = region
-                && region.rows(view.photo).all(|row| region.stretches(view.photo, row).is_empty())
-            {
-                let what = if let Shape::Band { body, .. } = region.shape { body.noun() } else { what };
-                return Err(MatchError::NoPixels { what });
-            }
-        }
-        Ok(regions)
-    }
-
-    /// The same regions for another outline: what an error of the radius does.
-    pub fn with_body(request: &MatchRequest, body: Option<Body>) -> Self {
-        let margin = margin(request, body);
-        let region = |picked: Option<Area>, band_deg: Range<f64>, facing: CosTheta| match (picked, body) {
-            (Some(area), Some(body)) => Some(Region::new(Shape::OnBody { area, body, margin })),
-            (Some(area), None) => Some(Region::new(Shape::Flat { area, facing })),
-            (None, Some(body)) => Some(Region::new(Shape::band(body, band_deg, margin))),
-            (None, None) => None,
-        };
-        if request.mode == LightMode::Backdrop {
-            return Self { inner: None, outer: region(request.edge, RIM_DEG, CosTheta::MAX) };
-        }
-        Self {
-            inner: region(request.facing, INNER_DEG, CosTheta::FACING),
-            outer: region(request.edge, OUTER_DEG, CosTheta::MAX),
-        }
-    }
-
-    /// The middle of a body, and all from 55° to its outline less the margin.
-    pub fn to_the_rim(body: Body) -> Self {
-        let band = |band_deg| Some(Region::new(Shape::band(body, band_deg, Self::RIM_MARGIN_PX / body.radius())));
-        Self { inner: band(INNER_DEG), outer: band(OUTER_DEG.start..90.0) }
-    }
-
-    /// The same regions with fewer rows of large ones: enough for a difference between two fits, in which what the
-    /// pixels have in common cancels.
-    pub fn sparse(self) -> Self {
-        let sparse = |region: Option<Region>| region.map(Region::sparse);
-        Self { inner: sparse(self.inner), outer: sparse(self.outer) }
-    }
-}
-
-/// The margin inside the outline as a share of the radius: that of the smaller of the bodies that are read.
-fn margin(request: &MatchRequest, body: Option<Body>) -> f64 {
-    let reference = request.reference_ball.as_ref().filter(|_| request.mode == LightMode::ReferenceBall);
-    let radii = body.map(Body::radius).into_iter().chain(reference.map(|ball| ball.circle.radius));
-    Regions::RIM_MARGIN_PX / radii.fold(f64::INFINITY, f64::min)
-}
-
 impl Shape {
-    fn band(body: Body, band_deg: Range<f64>, margin: f64) -> Self {
-        let rho = |angle_deg: f64| angle_deg.to_radians().sin();
-        let to_rho = rho(band_deg.end).min(1.0 - margin);
-        Self::Band { body, from_rho: rho(band_deg.start), to_rho }
-    }
-
     /// Rings across the middle and across a picked area weigh as much as they show; those of a band of grazing angles
     /// are of equal angles.
     fn rings(self) -> [f64; RINGS + 1] {
@@ -162,6 +79,23 @@ impl Region {
     /// while they are fitted, 16 bytes each.
     const MOST_PIXELS: f64 = 6_000_000.0;
 
+    /// The band of a body between two angles, up to `margin` inside its outline, as a share of the radius.
+    pub fn band(body: Body, band_deg: Range<f64>, margin: f64) -> Self {
+        let rho = |angle_deg: f64| angle_deg.to_radians().sin();
+        let to_rho = rho(band_deg.end).min(1.0 - margin);
+        Self::new(Shape::Band { body, from_rho: rho(band_deg.start), to_rho })
+    }
+
+    /// An area on a body, which gives the angles, but for what lies beyond its margin.
+    pub fn on_body(area: Area, body: Body, margin: f64) -> Self {
+        Self::new(Shape::OnBody { area, body, margin })
+    }
+
+    /// An area of one known angle.
+    pub fn flat(area: Area, facing: CosTheta) -> Self {
+        Self::new(Shape::Flat { area, facing })
+    }
+
     fn new(shape: Shape) -> Self {
         let [_, _, width, height] = shape.bounds();
         let row_step = (width * height / Self::MOST_PIXELS).ceil().max(1.0) as u32;
@@ -169,7 +103,7 @@ impl Region {
     }
 
     /// With as many pixels as a ball of 250 to 500 in radius has.
-    fn sparse(self) -> Self {
+    pub fn sparse(self) -> Self {
         const ENOUGH_PX: f64 = 500.0;
         let [_, _, width, height] = self.shape.bounds();
         Self { row_step: ((width.min(height) / ENOUGH_PX) as u32).pow(2).max(self.row_step), ..self }
@@ -199,21 +133,21 @@ impl Region {
     }
 
     /// The rows of a picture that may hold pixels of it.
-    pub fn rows(&self, photo: &Photo) -> impl Iterator<Item = u32> + use<> {
+    pub fn rows(&self, [_, picture_height]: [u32; 2]) -> impl Iterator<Item = u32> + use<> {
         let ([_, y, _, height], row_step) = (self.shape.bounds(), self.row_step);
-        pixel_range(y, height, photo.height).filter(move |row| row % row_step == 0)
+        pixel_range(y, height, picture_height).filter(move |row| row % row_step == 0)
     }
 
     /// The pixels of a row, cut where cells end, from left to right.
-    pub fn stretches(&self, photo: &Photo, row: u32) -> Vec<Stretch> {
+    pub fn stretches(&self, row: u32, picture_width: u32) -> Vec<Stretch> {
         let y = f64::from(row) + 0.5;
-        let columns = self.columns(photo, row);
+        let columns = self.columns(row, picture_width);
         Stretch::between(columns, &self.crossings(y), |x| self.cell(x, y))
     }
 
-    fn columns(&self, photo: &Photo, row: u32) -> Range<u32> {
+    fn columns(&self, row: u32, picture_width: u32) -> Range<u32> {
         let [x, _, width, _] = self.shape.bounds();
-        self.shape.area().map_or_else(|| pixel_range(x, width, photo.width), |area| area.columns(row, photo.width))
+        self.shape.area().map_or_else(|| pixel_range(x, width, picture_width), |area| area.columns(row, picture_width))
     }
 
     /// Where a row crosses from one cell to another, or out of the region, in any order.
@@ -288,14 +222,9 @@ mod tests {
     use super::*;
     use crate::photo::{Circle, Cylinder};
 
-    fn photo() -> Photo {
-        Photo::from_linear("test", 60, 60, vec![[1.0; 3]; 3600])
-    }
-
     fn pixels(region: &Region) -> Vec<(u32, u32, usize)> {
-        let photo = photo();
-        let of_row = |row| region.stretches(&photo, row).into_iter().map(move |stretch| (row, stretch));
-        let stretches = region.rows(&photo).flat_map(of_row);
+        let of_row = |row| region.stretches(row, 60).into_iter().map(move |stretch| (row, stretch));
+        let stretches = region.rows([60, 60]).flat_map(of_row);
         stretches.flat_map(|(row, Stretch { columns, cell })| columns.map(move |column| (column, row, cell))).collect()
     }
 
@@ -310,14 +239,12 @@ mod tests {
     #[test]
     fn bands_keep_clear_of_the_outline() {
         let circle = Circle::new(30.0, 30.0, 25.0);
-        let request = MatchRequest { circle: Some(circle), ..MatchRequest::default() };
-        let regions = Regions::with_body(&request, request.body());
-        let farthest = |region: &Option<Region>| {
+        let farthest = |band_deg: Range<f64>| {
             let rho = |(x, y, _)| circle.rho(f64::from(x) + 0.5, f64::from(y) + 0.5);
-            pixels(region.as_ref().unwrap()).into_iter().map(rho).fold(0.0, f64::max)
+            pixels(&Region::band(Body::Ball(circle), band_deg, 1.5 / 25.0)).into_iter().map(rho).fold(0.0, f64::max)
         };
-        assert!(farthest(&regions.inner) <= 40.0_f64.to_radians().sin());
-        assert!(farthest(&regions.outer) <= 1.0 - 1.5 / 25.0);
+        assert!(farthest(0.0..40.0) <= 40.0_f64.to_radians().sin());
+        assert!(farthest(55.0..83.0) <= 1.0 - 1.5 / 25.0);
     }
 
     /// Stretches hold every pixel of a region, and each in the cell that its own place gives.
@@ -327,14 +254,14 @@ mod tests {
         let cylinder = Body::Cylinder(Cylinder::new([8.3, 12.1], [51.9, 44.7], 13.4));
         for body in [ball, cylinder] {
             let margin = 1.5 / body.radius();
-            let shapes = [
-                Shape::band(body, INNER_DEG, margin),
-                Shape::band(body, OUTER_DEG, margin),
-                Shape::OnBody { area: Area::disc(31.3, 28.9, 20.2), body, margin },
-                Shape::OnBody { area: Area::rectangle(-4.0, 17.3, 50.0, 30.1), body, margin },
-                Shape::Flat { area: Area::rectangle(10.2, 17.3, 20.0, 50.1), facing: CosTheta::MAX },
+            let regions = [
+                Region::band(body, 0.0..40.0, margin),
+                Region::band(body, 55.0..83.0, margin),
+                Region::on_body(Area::disc(31.3, 28.9, 20.2), body, margin),
+                Region::on_body(Area::rectangle(-4.0, 17.3, 50.0, 30.1), body, margin),
+                Region::flat(Area::rectangle(10.2, 17.3, 20.0, 50.1), CosTheta::MAX),
             ];
-            for region in shapes.map(Region::new) {
+            for region in regions {
                 let is_inside = |x, y| region.picked().is_none_or(|area| area.contains(x, y));
                 let of_pixel = |column: u32, row: u32| {
                     let (x, y) = (f64::from(column) + 0.5, f64::from(row) + 0.5);

@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::facing::Facing;
 use super::light::Light;
 use super::outcome::{Match, MatchError};
-use super::region::Regions;
+use super::regions::Regions;
 use super::view::View;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::fresnel::{CosTheta, FresnelModel};

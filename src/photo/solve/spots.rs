@@ -62,7 +62,7 @@ pub(super) struct Piece {
 /// Reads a region under a light, in the same pieces whatever the number of threads, so that sums round alike.
 pub(super) fn read(view: &View, region: &Region, light: &Light) -> Vec<Piece> {
     const ROWS: usize = 32;
-    let rows: Vec<u32> = region.rows(view.photo).collect();
+    let rows: Vec<u32> = region.rows([view.photo.width, view.photo.height]).collect();
     rows.par_chunks(ROWS).map(|rows| Piece::read(view, region, light, rows)).collect()
 }
 
@@ -81,7 +81,7 @@ impl Piece {
     /// Reads some rows of a region.
     fn read(view: &View, region: &Region, light: &Light, rows: &[u32]) -> Self {
         let rows: Vec<(u32, Vec<Stretch>)> =
-            rows.iter().map(|row| (*row, region.stretches(view.photo, *row))).collect();
+            rows.iter().map(|row| (*row, region.stretches(*row, view.photo.width))).collect();
         let (mut piece, mut pixels) = (Self::default(), Vec::new());
         piece.spots.reserve(rows.iter().flat_map(|row| &row.1).map(|stretch| stretch.columns.len()).sum());
         for (row, stretches) in &rows {

@@ -6,7 +6,8 @@ use super::light::Light;
 use super::measured::{Measured, fit_metal};
 use super::outcome::UncertaintyBudget;
 use super::readings::Readings;
-use super::region::{RINGS, Regions};
+use super::region::RINGS;
+use super::regions::Regions;
 use super::view::View;
 
 use crate::photo::statistics::jackknife_error;
