@@ -10,6 +10,11 @@ pub(super) fn place(cosine: f32) -> f32 {
     (1.0 + cosine).min(LAST)
 }
 
+/// cos θ where steps begin, and where the last one ends.
+pub(super) fn cosines() -> impl Iterator<Item = f64> {
+    (0..=STEPS).map(|step| step as f64 / STEPS as f64)
+}
+
 fn step(place: f32) -> usize {
     const UNUSED_BITS: u32 = f32::MANTISSA_DIGITS - 1 - STEPS.ilog2();
     (place.to_bits() >> UNUSED_BITS) as usize % STEPS
@@ -28,15 +33,14 @@ struct Line<const N: usize> {
 }
 
 impl<const N: usize> Radial<N> {
-    /// From the functions of cos θ.
-    pub fn of(functions: impl Fn(f64) -> [f64; N]) -> Self {
-        let cosine = |step: usize| step as f64 / STEPS as f64;
-        let values: Vec<[f64; N]> = (0..=STEPS).map(|step| functions(cosine(step))).collect();
+    /// From their values at [`cosines`].
+    pub fn of(values: impl Iterator<Item = [f64; N]>) -> Self {
+        let values: Vec<[f64; N]> = values.collect();
         let line = |step: usize| {
             let slope: [f32; N] =
                 std::array::from_fn(|i| ((values[step + 1][i] - values[step][i]) * STEPS as f64) as f32);
             // Through the middle of the step, so that what 32 bits cost the slope is least.
-            let place = 1.0 + cosine(step) + 0.5 / STEPS as f64;
+            let place = 1.0 + (step as f64 + 0.5) / STEPS as f64;
             let at_zero = |i: usize| 0.5 * (values[step][i] + values[step + 1][i]) - place * f64::from(slope[i]);
             Line { at_zero: std::array::from_fn(|i| at_zero(i) as f32), slope }
         };
@@ -59,7 +63,7 @@ mod tests {
     #[test]
     fn weights_are_near_their_formula() {
         let of = |cosine: f64| Weights::at(CosTheta::new(cosine));
-        let table = Radial::of(|cosine| [of(cosine).of_r, of(cosine).of_h]);
+        let table = Radial::of(cosines().map(|cosine| [of(cosine).of_r, of(cosine).of_h]));
         for i in 0..=10_000_u16 {
             let cosine = f32::from(i) / 10_000.0;
             let (exact, found) = (of(f64::from(cosine)), table.at(place(cosine)));

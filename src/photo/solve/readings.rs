@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::cells::{Cell, Counts, Outliers};
 use super::light::Light;
-use super::radial::Radial;
+use super::radial::{self, Radial};
 use super::region::{RINGS, Region};
 use super::regions::Regions;
 use super::shape::MetalCurve;
@@ -25,7 +25,9 @@ pub(super) struct Readings {
 struct Stratum {
     region: Region,
     pieces: Vec<Piece>,
-    /// The weights of r and h.
+    /// What a pixel weighs r, h and white by at [`radial::cosines`].
+    all_weights: Vec<Weights>,
+    /// Of these, the weights of r and h.
     weights: Radial<2>,
 }
 
@@ -87,19 +89,17 @@ impl Sums {
 
 impl Stratum {
     fn of(region: Region, pieces: Vec<Piece>) -> Self {
-        let weights = Radial::of(|cosine| {
-            let Weights { of_r, of_h, .. } = region.weights(cosine);
-            [of_r, of_h]
-        });
-        Self { region, pieces, weights }
+        let all_weights: Vec<Weights> = radial::cosines().map(|cosine| region.weights(cosine)).collect();
+        let weights = Radial::of(all_weights.iter().map(|weights| [weights.of_r, weights.of_h]));
+        Self { region, pieces, all_weights, weights }
     }
 
     /// The curve where a pixel shows a cosine; 0 in place of a fourth channel.
     fn expected(&self, curve: &MetalCurve) -> Radial<4> {
-        Radial::of(|cosine| {
-            let [red, green, blue] = curve.at(self.region.weights(cosine), cosine);
+        Radial::of(radial::cosines().zip(&self.all_weights).map(|(cosine, weights)| {
+            let [red, green, blue] = curve.at(*weights, cosine);
             [red, green, blue, 0.0]
-        })
+        }))
     }
 
     fn sums(&self) -> Vec<Sum> {
