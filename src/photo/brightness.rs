@@ -5,14 +5,19 @@ use super::Photo;
 /// Bilinear brightness of points that follow one another, compressed so that lamps do not outweigh an outline.
 pub(super) struct Brightness<'a> {
     photo: &'a Photo,
-    /// The last four pixels: column and row of the first, and two rows of them; `None` where they leave the picture.
-    last: Option<([u32; 2], Option<[[f64; 2]; 2]>)>,
+    /// Column and row of the first of the last four pixels.
+    last: Option<[u32; 2]>,
+    /// The last four; `None` where they leave the picture.
+    four: Option<Four>,
 }
+
+/// Two rows of two pixels.
+type Four = [[f64; 2]; 2];
 
 impl<'a> Brightness<'a> {
     /// Of a photograph.
     pub const fn of(photo: &'a Photo) -> Self {
-        Self { photo, last: None }
+        Self { photo, last: None, four: None }
     }
 
     /// At a point; `None` outside.
@@ -29,16 +34,14 @@ impl<'a> Brightness<'a> {
     }
 
     /// The pixel in a column and row, and those beside and below it.
-    fn four(&mut self, [column, row]: [u32; 2]) -> Option<[[f64; 2]; 2]> {
-        match self.last {
-            Some((first, four)) if first == [column, row] => four,
-            _ => {
-                let two = |row: u32| two(self.photo, column, row);
-                let four = two(row).zip(two(row.saturating_add(1))).map(<[_; 2]>::from);
-                self.last = Some(([column, row], four));
-                four
-            }
+    fn four(&mut self, first: [u32; 2]) -> Option<Four> {
+        if self.last != Some(first) {
+            let [column, row] = first;
+            let two = |row: u32| two(self.photo, column, row);
+            self.four = two(row).zip(two(row.saturating_add(1))).map(Four::from);
+            self.last = Some(first);
         }
+        self.four
     }
 }
 
