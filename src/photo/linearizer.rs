@@ -7,6 +7,7 @@ use moxcms::TransformExecutor;
 use nalgebra::{Matrix3, Vector3};
 
 use super::curve::Curve;
+use super::runs;
 use super::samples::{Sample, Samples, triple};
 use crate::color::{Chromaticity, RgbSpace, Xyz, bradford, xyz_from_primaries};
 
@@ -55,17 +56,15 @@ impl Linearizer {
         Self { stage: Stage::Profile(transform), matrix }
     }
 
-    /// The matrix that the linear values of [`decode`](Self::decode) still need.
-    pub fn matrix(&self) -> Matrix3<f64> {
-        self.matrix
-    }
-
     /// Replaces stored pixels by linear ones in the primaries of the file; a matrix commutes with averages, so
     /// it can come last. Pixels with NaN or infinities become zero.
     pub fn decode<T: Sample>(&self, pixels: impl Iterator<Item = [T; 3]>, linear: &mut Vec<[f32; 3]>) {
         linear.clear();
         match &self.stage {
-            Stage::Curves(curves) => linear.extend(pixels.map(curves.decoder())),
+            Stage::Curves(curves) => {
+                let decode = curves.decoder();
+                linear.extend(pixels.map(|pixel| decode(&pixel)));
+            }
             Stage::Profile(transform) => {
                 let encoded = pixels.flat_map(|pixel| finite(pixel.map(|v| v.fraction() as f32)));
                 let encoded: Vec<f32> = encoded.collect();
@@ -76,35 +75,43 @@ impl Linearizer {
         }
     }
 
-    /// Adds the linear values of a row, in the primaries of the file and as [`decode`](Self::decode) would give them,
-    /// to a sum for each column. `scratch` is room that can be used again.
-    pub fn add_row<T: Sample>(
-        &self,
-        pixels: &[T],
-        channels: usize,
-        sums: &mut [[f32; 3]],
-        scratch: &mut Vec<[f32; 3]>,
-    ) {
+    /// Adds the linear values of each run of columns of some rows to its sum, in the primaries of the file and as
+    /// [`decode`](Self::decode) would give them.
+    pub fn add_runs<T: Sample>(&self, rows: &[&[T]], channels: usize, ends: &[usize], sums: &mut [[f64; 3]]) {
         match &self.stage {
-            Stage::Curves(curves) => curves.add_row(pixels, channels, sums),
+            Stage::Curves(curves) if channels == 3 => {
+                let rows: Vec<&[[T; 3]]> = rows.iter().map(|row| row.as_chunks().0).collect();
+                runs::add(&rows, ends, sums, curves.decoder());
+            }
+            Stage::Curves(curves) => {
+                let decode = curves.decoder();
+                runs::add(rows, ends, sums, |value| decode(&[*value; 3]));
+            }
             Stage::Profile(_) => {
-                self.decode(pixels.chunks_exact(channels).map(triple), scratch);
-                sums.iter_mut().zip(&*scratch).for_each(|(sum, linear)| add(sum, *linear));
+                let mut linear = Vec::new();
+                for row in rows {
+                    self.decode(row.chunks_exact(channels).map(triple), &mut linear);
+                    runs::add(&[&linear], ends, sums, |pixel| *pixel);
+                }
             }
         }
     }
 
+    /// The way from the primaries of the file, which [`decode`](Self::decode) leaves, to linear Rec.709.
+    pub fn to_rec709(&self) -> impl Fn([f64; 3]) -> [f64; 3] + Copy + use<> {
+        let matrix = (self.matrix != Matrix3::identity()).then_some(self.matrix);
+        move |native| matrix.map_or(native, |matrix| (matrix * Vector3::from(native)).into())
+    }
+
     /// Hands on each pixel as stored and in linear Rec.709.
+    #[inline]
     pub fn for_each<T: Sample>(&self, pixels: impl Iterator<Item = [T; 3]>, mut take: impl FnMut([T; 3], [f64; 3])) {
-        let is_rec709 = self.matrix == Matrix3::identity();
-        let mut take = |stored, native: [f32; 3]| {
-            let native = native.map(f64::from);
-            take(stored, if is_rec709 { native } else { (self.matrix * Vector3::from(native)).into() });
-        };
+        let to_rec709 = self.to_rec709();
+        let mut take = |stored, native: [f32; 3]| take(stored, to_rec709(native.map(f64::from)));
         match &self.stage {
             Stage::Curves(curves) => {
                 let decode = curves.decoder();
-                pixels.for_each(|stored| take(stored, decode(stored)));
+                pixels.for_each(|stored| take(stored, decode(&stored)));
             }
             Stage::Profile(_) => {
                 let (stored, mut linear) = (pixels.collect::<Vec<_>>(), Vec::new());
@@ -117,7 +124,7 @@ impl Linearizer {
     /// One pixel in linear Rec.709.
     pub fn pixel<T: Sample>(&self, pixel: [T; 3]) -> Vector3<f64> {
         let native = match &self.stage {
-            Stage::Curves(curves) => curves.decoder()(pixel),
+            Stage::Curves(curves) => curves.decoder()(&pixel),
             Stage::Profile(_) => {
                 let mut linear = Vec::with_capacity(1);
                 self.decode(std::iter::once(pixel), &mut linear);
@@ -128,36 +135,17 @@ impl Linearizer {
     }
 }
 
-#[inline]
-fn add(sum: &mut [f32; 3], [red, green, blue]: [f32; 3]) {
-    sum[0] += red;
-    sum[1] += green;
-    sum[2] += blue;
-}
-
 impl Curves {
-    fn add_row<T: Sample>(&self, pixels: &[T], channels: usize, sums: &mut [[f32; 3]]) {
-        let decode = self.decoder();
-        if channels == 3 {
-            sums.iter_mut().zip(pixels.as_chunks().0).for_each(|(sum, pixel)| add(sum, decode(*pixel)));
-        } else {
-            sums.iter_mut().zip(pixels).for_each(|(sum, value)| add(sum, decode([*value; 3])));
-        }
-    }
-
     /// What decodes a pixel, with its tables at hand.
     #[inline]
-    fn decoder<T: Sample>(&self) -> impl Fn([T; 3]) -> [f32; 3] + '_ {
-        let [red_table, green_table, blue_table] = self.tables.each_ref().map(|table| T::whole(table));
-        move |[red, green, blue]| {
-            if !(red.is_finite() & green.is_finite() & blue.is_finite()) {
-                return [0.0; 3];
-            }
-            [
-                red.decode(red_table, |x| self.curves[0].decode(x)),
-                green.decode(green_table, |x| self.curves[1].decode(x)),
-                blue.decode(blue_table, |x| self.curves[2].decode(x)),
-            ]
+    fn decoder<T: Sample>(&self) -> impl Fn(&[T; 3]) -> [f32; 3] + Copy + '_ {
+        let tables = self.tables.each_ref().map(|table| T::table(table));
+        let decode = move |pixel: &[T; 3], channel: usize| {
+            pixel[channel].decode(tables[channel], |x| self.curves[channel].decode(x))
+        };
+        move |pixel| {
+            let is_finite = pixel[0].is_finite() & pixel[1].is_finite() & pixel[2].is_finite();
+            if is_finite { [decode(pixel, 0), decode(pixel, 1), decode(pixel, 2)] } else { [0.0; 3] }
         }
     }
 }

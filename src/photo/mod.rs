@@ -1,16 +1,20 @@
 //! From the pixels of a photograph to r and h.
 
+#[cfg(test)]
+mod agreement;
 mod area;
 mod body;
 mod brightness;
 mod card;
 mod census;
+mod channel;
 mod circle;
 mod curve;
 mod cylinder;
 mod cylinder_outline;
 mod error;
 mod first_look;
+mod flags;
 mod inspect;
 mod light_mode;
 mod linearizer;
@@ -26,6 +30,7 @@ mod recipe;
 mod request;
 mod rim;
 mod rule;
+mod runs;
 mod samples;
 mod solve;
 mod statistics;
@@ -40,6 +45,7 @@ pub use cylinder::Cylinder;
 pub use cylinder_outline::{CylinderOutline, snap_cylinder};
 pub use error::{PhotoError, PhotoErrorKind};
 pub use first_look::FirstLook;
+pub use flags::PackedFlags;
 pub use inspect::{Inspection, inspect};
 pub use light_mode::LightMode;
 pub use mark::MarkError;

@@ -1,5 +1,7 @@
 //! How the stored rows lie in the picture people see.
 
+use std::ops::Range;
+
 /// One of the eight orientations of EXIF (CIPA DC-008-2019, tag 274).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Orientation {
@@ -43,6 +45,43 @@ impl Orientation {
         let [x, y] = if self.is_transposed { [row, column] } else { [column, row] };
         [if self.flips_x { width - 1 - x } else { x }, if self.flips_y { height - 1 - y } else { y }]
     }
+
+    /// The places of the pixels of a part of a row, given the stored size.
+    pub fn places(self, row: u32, columns: Range<u32>, size: [u32; 2]) -> Places {
+        let width = size[0] as usize;
+        let first = |start| {
+            let [x, y] = self.stored([start, row], size);
+            y as usize * width + x as usize
+        };
+        Places {
+            first: if columns.is_empty() { 0 } else { first(columns.start) },
+            step: if self.is_transposed { width } else { 1 },
+            is_backward: if self.is_transposed { self.flips_y } else { self.flips_x },
+            count: columns.len(),
+        }
+    }
+}
+
+/// Where the pixels of a part of a row lie in the order of the file.
+pub(super) struct Places {
+    first: usize,
+    step: usize,
+    is_backward: bool,
+    count: usize,
+}
+
+impl Places {
+    /// From left to right.
+    pub fn iter(&self) -> impl Iterator<Item = usize> {
+        let Self { first, step, is_backward, count } = *self;
+        (0..count).map(move |i| if is_backward { first - i * step } else { first + i * step })
+    }
+
+    /// All of them, in any order, where nothing lies between.
+    pub fn range(&self) -> Option<Range<usize>> {
+        let start = if self.is_backward { self.first + 1 - self.count.max(1) } else { self.first };
+        (self.step == 1).then_some(start..start + self.count)
+    }
 }
 
 #[cfg(test)]
@@ -62,6 +101,23 @@ mod tests {
         }
         assert_eq!(Orientation::from_exif(0), None);
         assert_eq!(Orientation::from_exif(9), None);
+    }
+
+    #[test]
+    fn places_of_a_row_are_those_of_its_pixels() {
+        let stored = [5, 3];
+        for orientation in (1..=8).filter_map(Orientation::from_exif) {
+            let [width, height] = orientation.size(stored);
+            for (row, columns) in (0..height).flat_map(|row| [(row, 0..width), (row, 1..3), (row, 2..2)]) {
+                let places = orientation.places(row, columns.clone(), stored);
+                let (range, mut places) = (places.range(), places.iter().collect::<Vec<_>>());
+                let positions = columns.map(|column| orientation.stored([column, row], stored));
+                let expected: Vec<usize> = positions.map(|[x, y]| (y * stored[0] + x) as usize).collect();
+                assert_eq!(places, expected, "{orientation:?}");
+                places.sort_unstable();
+                assert!(range.is_none_or(|range| range.eq(places)), "{orientation:?}");
+            }
+        }
     }
 
     #[test]

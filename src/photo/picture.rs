@@ -9,9 +9,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::curve::Curve;
 use super::linearizer::Linearizer;
-use super::orientation::Orientation;
+use super::orientation::{Orientation, Places};
 use super::read;
-use super::samples::{Sample, Samples, flags_of, triple};
+use super::samples::{Sample, Samples, flags_of, is_plain, triple};
 use super::{ColourRule, FirstLook, PhotoError, Pixel, PixelFlags, Warning};
 use crate::color::Rgb;
 
@@ -169,12 +169,46 @@ impl Photo {
     pub fn for_each_of_row(&self, row: u32, columns: Range<u32>, take: impl FnMut(Pixel)) {
         let columns = if row < self.height { columns.start..columns.end.min(self.width) } else { 0..0 };
         let stored = &*self.stored;
-        let positions = columns.map(|column| stored.orientation.stored([column, row], stored.size));
+        let places = stored.orientation.places(row, columns, stored.size);
         match &stored.samples {
-            Samples::U8(samples) => stored.for_each(samples, positions, take),
-            Samples::U16(samples) => stored.for_each(samples, positions, take),
-            Samples::F16(samples) => stored.for_each::<f16>(samples, positions, take),
-            Samples::F32(samples) => stored.for_each(samples, positions, take),
+            Samples::U8(samples) => stored.for_each(samples, &places, take),
+            Samples::U16(samples) => stored.for_each(samples, &places, take),
+            Samples::F16(samples) => stored.for_each::<f16>(samples, &places, take),
+            Samples::F32(samples) => stored.for_each(samples, &places, take),
+        }
+    }
+}
+
+/// Part of a row in linear Rec.709.
+#[derive(Default)]
+pub(super) struct RowPart {
+    pub rgb: Vec<[f64; 3]>,
+    /// The flags of each pixel; nothing where it was seen at once that none has any.
+    pub flags: Vec<PixelFlags>,
+}
+
+impl RowPart {
+    /// Reads some columns of a row, all inside the picture.
+    pub fn read(&mut self, photo: &Photo, row: u32, columns: Range<u32>) {
+        let stored = &*photo.stored;
+        let places = stored.orientation.places(row, columns, stored.size);
+        match &stored.samples {
+            Samples::U8(samples) => self.read_places(stored, samples, &places),
+            Samples::U16(samples) => self.read_places(stored, samples, &places),
+            Samples::F16(samples) => self.read_places::<f16>(stored, samples, &places),
+            Samples::F32(samples) => self.read_places(stored, samples, &places),
+        }
+    }
+
+    fn read_places<T: Sample>(&mut self, stored: &Stored, samples: &[T], places: &Places) {
+        let (black, channels) = (T::black(stored.is_linear), stored.channels);
+        let pixels = || places.iter().map(|place| stored.at(samples, place));
+        self.rgb.clear();
+        stored.linearizer.for_each(pixels(), |_, linear| self.rgb.push(linear));
+        self.flags.clear();
+        let run = places.range().map(|range| &samples[range.start * channels..range.end * channels]);
+        if !run.is_some_and(|run| is_plain(run, black)) {
+            self.flags.extend(pixels().map(|pixel| flags_of(pixel, black)));
         }
     }
 }
@@ -190,25 +224,20 @@ impl Stored {
         }
     }
 
-    fn for_each<T: Sample>(
-        &self,
-        samples: &[T],
-        positions: impl Iterator<Item = [u32; 2]>,
-        mut take: impl FnMut(Pixel),
-    ) {
+    fn for_each<T: Sample>(&self, samples: &[T], places: &Places, mut take: impl FnMut(Pixel)) {
         let black = T::black(self.is_linear);
-        self.linearizer.for_each(positions.map(|position| self.at(samples, position)), |stored, linear| {
+        self.linearizer.for_each(places.iter().map(|place| self.at(samples, place)), |stored, linear| {
             take(Pixel { rgb: Rgb(linear), flags: flags_of(stored, black) });
         });
     }
 
-    fn at<T: Sample>(&self, samples: &[T], [x, y]: [u32; 2]) -> [T; 3] {
-        let start = (y as usize * self.size[0] as usize + x as usize) * self.channels;
-        triple(&samples[start..start + self.channels])
+    #[inline]
+    fn at<T: Sample>(&self, samples: &[T], place: usize) -> [T; 3] {
+        triple(&samples[place * self.channels..][..self.channels])
     }
 
-    fn pixel_of<T: Sample>(&self, samples: &[T], position: [u32; 2]) -> Pixel {
-        let stored = self.at(samples, position);
+    fn pixel_of<T: Sample>(&self, samples: &[T], [x, y]: [u32; 2]) -> Pixel {
+        let stored = self.at(samples, y as usize * self.size[0] as usize + x as usize);
         let linear: Vector3<f64> = self.linearizer.pixel(stored);
         Pixel { rgb: Rgb::from(linear), flags: flags_of(stored, T::black(self.is_linear)) }
     }

@@ -3,13 +3,12 @@
 use std::ops::Range;
 
 use half::f16;
-use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::PixelFlags;
+use super::flags::{self, PackedFlags};
 use super::orientation::Orientation;
 use super::picture::{Photo, Stored};
-use super::samples::{Sample, Samples, flags_of, for_each_pixel, is_plain};
+use super::samples::{Sample, Samples};
 
 /// A small copy in linear Rec.709.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +20,7 @@ pub struct Preview {
     /// Means over the pixels that each small pixel covers, row by row, unclamped.
     pub rgb: Vec<[f32; 3]>,
     /// Flags that any covered pixel has.
-    pub flags: Vec<PixelFlags>,
+    pub flags: Vec<PackedFlags>,
 }
 
 impl Photo {
@@ -69,96 +68,32 @@ fn covered(index: usize, count: u32, all: u32) -> Range<usize> {
     edge(index)..edge(index + 1)
 }
 
-fn shrink<T: Sample>(stored: &Stored, samples: &[T], [width, height]: [u32; 2]) -> (Vec<[f32; 3]>, Vec<PixelFlags>) {
+fn shrink<T: Sample>(stored: &Stored, samples: &[T], [width, height]: [u32; 2]) -> (Vec<[f32; 3]>, Vec<PackedFlags>) {
     let pixels = width as usize * height as usize;
-    let (mut rgb, mut flags) = (vec![[0.0; 3]; pixels], vec![PixelFlags::default(); pixels]);
-    let ends: Vec<usize> = (0..width as usize).map(|column| covered(column, width, stored.size[0]).end).collect();
+    let (mut rgb, mut flags) = (vec![[0.0; 3]; pixels], vec![PackedFlags::default(); pixels]);
+    let columns = (0..width as usize).map(|column| covered(column, width, stored.size[0]));
+    let (ends, shares): (Vec<usize>, Vec<f64>) = columns.map(|run| (run.end, 1.0 / run.len() as f64)).unzip();
+    let length = stored.size[0] as usize * stored.channels;
     let rows = rgb.par_chunks_exact_mut(width as usize).zip(flags.par_chunks_exact_mut(width as usize)).enumerate();
-    rows.for_each_init(Room::default, |room, (row, (rgb, flags))| {
-        let covered = covered(row, height, stored.size[1]);
-        small_row(stored, samples, &ends, covered.clone(), (rgb, room));
-        for row in covered {
-            add_flags(row_of(stored, samples, row), stored, &ends, flags);
-        }
+    rows.for_each_init(Vec::new, |sums, (row, (rgb, small_flags))| {
+        let rows = covered(row, height, stored.size[1]);
+        let rows: Vec<&[T]> = samples[rows.start * length..rows.end * length].chunks_exact(length).collect();
+        flags::of_runs(&rows, stored.channels, T::black(stored.is_linear), &ends, small_flags);
+        sums.clear();
+        sums.resize(ends.len(), [0.0; 3]);
+        stored.linearizer.add_runs(&rows, stored.channels, &ends, sums);
+        means(stored, sums, &shares, rows.len(), rgb);
     });
     (rgb, flags)
 }
 
-/// Room that is used again for each row.
-#[derive(Default)]
-struct Room {
-    /// A sum for each column of the file.
-    columns: Vec<[f32; 3]>,
-    decoded: Vec<[f32; 3]>,
-    /// A sum for each column of the preview.
-    sums: Vec<[f64; 3]>,
-}
-
-fn row_of<'a, T>(stored: &Stored, samples: &'a [T], row: usize) -> &'a [T] {
-    let length = stored.size[0] as usize * stored.channels;
-    &samples[row * length..][..length]
-}
-
-/// A row of the preview from some rows of the file: their columns are added up first, then runs of columns. The matrix
-/// comes last: it commutes with means.
-fn small_row<T: Sample>(
-    stored: &Stored,
-    samples: &[T],
-    ends: &[usize],
-    rows: Range<usize>,
-    (rgb, room): (&mut [[f32; 3]], &mut Room),
-) {
-    /// So few rows that floats hold their sum to six digits.
-    const ROWS_AT_ONCE: usize = 16;
-    let Room { columns, decoded, sums } = room;
-    sums.clear();
-    sums.resize(ends.len(), [0.0; 3]);
-    for first in rows.clone().step_by(ROWS_AT_ONCE) {
-        columns.clear();
-        columns.resize(stored.size[0] as usize, [0.0; 3]);
-        for row in first..rows.end.min(first + ROWS_AT_ONCE) {
-            stored.linearizer.add_row(row_of(stored, samples, row), stored.channels, columns, decoded);
-        }
-        add_runs(columns, ends, sums);
-    }
-    let matrix = stored.linearizer.matrix();
-    let starts = std::iter::once(0).chain(ends.iter().copied());
-    let counts = starts.zip(ends).map(|(start, end)| ((end - start) * rows.len()) as f64);
-    for ((count, sum), rgb) in counts.zip(&*sums).zip(rgb) {
-        *rgb = (matrix * Vector3::from(*sum) / count).map(|mean| mean as f32).into();
-    }
-}
-
-/// Adds the columns of each run to its sum.
-fn add_runs(columns: &[[f32; 3]], ends: &[usize], sums: &mut [[f64; 3]]) {
-    let mut start = 0;
-    for (end, sum) in ends.iter().zip(sums) {
-        for column in &columns[start..*end] {
-            sum.iter_mut().zip(column).for_each(|(sum, column)| *sum += f64::from(*column));
-        }
-        start = *end;
-    }
-}
-
-/// Marks each run of pixels with the flags that any of them has. Most stretches of a picture have none, which
-/// is seen at once.
-fn add_flags<T: Sample>(pixels: &[T], stored: &Stored, ends: &[usize], flags: &mut [PixelFlags]) {
-    const RUNS_AT_ONCE: usize = 64;
-    let (black, channels) = (T::black(stored.is_linear), stored.channels);
-    let mut start = 0;
-    for (ends, flags) in ends.chunks(RUNS_AT_ONCE).zip(flags.chunks_mut(RUNS_AT_ONCE)) {
-        let last = ends.last().copied().unwrap_or(start);
-        if is_plain(&pixels[start * channels..last * channels], black) {
-            start = last;
-            continue;
-        }
-        for (end, flags) in ends.iter().zip(flags) {
-            let mut of_run = PixelFlags::default();
-            let run = &pixels[start * channels..end * channels];
-            for_each_pixel(run, channels, |pixel| of_run = of_run.or(flags_of(pixel, black)));
-            *flags = flags.or(of_run);
-            start = *end;
-        }
+/// From the sums of a row of small pixels to their means; `shares` is one over the columns of each. The matrix comes
+/// last: it commutes with means.
+fn means(stored: &Stored, sums: &[[f64; 3]], shares: &[f64], rows: usize, rgb: &mut [[f32; 3]]) {
+    let (to_rec709, share_of_row) = (stored.linearizer.to_rec709(), 1.0 / rows as f64);
+    for ((sum, share), rgb) in sums.iter().zip(shares).zip(rgb) {
+        let share = share * share_of_row;
+        *rgb = to_rec709(sum.map(|sum| sum * share)).map(|mean| mean as f32);
     }
 }
 
@@ -202,7 +137,7 @@ mod tests {
         for (i, rgb) in preview.rgb.iter().enumerate() {
             let pixel = photo.pixel(i as u32 % 5, i as u32 / 5).unwrap();
             assert_eq!(rgb.map(f64::from), pixel.rgb.0);
-            assert_eq!(preview.flags[i], pixel.flags);
+            assert_eq!(preview.flags[i].unpack(), pixel.flags);
         }
     }
 
@@ -211,7 +146,10 @@ mod tests {
         let mut pixels = vec![[0.5f32; 3]; 64];
         pixels[9] = [f32::NAN, 0.5, 0.5];
         let preview = Photo::from_linear("nan", 8, 8, pixels).preview(2);
-        assert_eq!(preview.flags.iter().map(|f| f.non_finite).collect::<Vec<_>>(), [true, false, false, false]);
+        assert_eq!(
+            preview.flags.iter().map(|f| f.unpack().non_finite).collect::<Vec<_>>(),
+            [true, false, false, false]
+        );
         assert!(preview.rgb.iter().flatten().all(|v| v.is_finite()));
     }
 }

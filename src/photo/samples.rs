@@ -39,7 +39,7 @@ impl Samples {
 }
 
 /// What a stored number type says about itself.
-pub(super) trait Sample: Copy + Default + PartialOrd + Send + Sync {
+pub(super) trait Sample: Copy + Default + PartialOrd + Send + Sync + 'static {
     /// The smallest value that counts as clipped: 0.995 of the range, or the largest number of a float.
     const CLIPPED: Self;
 
@@ -50,13 +50,14 @@ pub(super) trait Sample: Copy + Default + PartialOrd + Send + Sync {
     /// code where they are linear, and zero for floats, which have no code values.
     fn black(is_linear: bool) -> Self;
 
-    /// A table of every code at the length that the compiler can hold indices against; floats have none.
-    fn whole(table: &[f32]) -> &[f32] {
-        table
-    }
+    /// The linear value of every code, of a length that no code exceeds; floats have none.
+    type Table<'a>: Copy;
 
-    /// The linear value by a table of every code, or by `curve` where there is no table.
-    fn decode(self, table: &[f32], curve: impl Fn(f64) -> f64) -> f32;
+    /// The table that lies in a slice of every code.
+    fn table(values: &[f32]) -> Self::Table<'_>;
+
+    /// The linear value by the table, or by `curve` where there is none.
+    fn decode(self, table: Self::Table<'_>, curve: impl Fn(f64) -> f64) -> f32;
 
     /// False for NaN and infinities.
     fn is_finite(self) -> bool {
@@ -83,11 +84,14 @@ impl Sample for u8 {
         if is_linear { 1 } else { 12 }
     }
 
-    fn whole(table: &[f32]) -> &[f32] {
-        &table[..1 << 8]
+    type Table<'a> = &'a [f32; 1 << 8];
+
+    fn table(values: &[f32]) -> Self::Table<'_> {
+        values.try_into().expect("a value of every code")
     }
 
-    fn decode(self, table: &[f32], _: impl Fn(f64) -> f64) -> f32 {
+    #[inline]
+    fn decode(self, table: Self::Table<'_>, _: impl Fn(f64) -> f64) -> f32 {
         table[usize::from(self)]
     }
 }
@@ -104,11 +108,14 @@ impl Sample for u16 {
         (fraction * 65_535.0).ceil() as Self
     }
 
-    fn whole(table: &[f32]) -> &[f32] {
-        &table[..1 << 16]
+    type Table<'a> = &'a [f32; 1 << 16];
+
+    fn table(values: &[f32]) -> Self::Table<'_> {
+        values.try_into().expect("a value of every code")
     }
 
-    fn decode(self, table: &[f32], _: impl Fn(f64) -> f64) -> f32 {
+    #[inline]
+    fn decode(self, table: Self::Table<'_>, _: impl Fn(f64) -> f64) -> f32 {
         table[usize::from(self)]
     }
 }
@@ -124,7 +131,12 @@ impl Sample for f16 {
         f16::MIN_POSITIVE_SUBNORMAL
     }
 
-    fn decode(self, _: &[f32], curve: impl Fn(f64) -> f64) -> f32 {
+    type Table<'a> = ();
+
+    fn table(_: &[f32]) -> Self::Table<'_> {}
+
+    #[inline]
+    fn decode(self, (): Self::Table<'_>, curve: impl Fn(f64) -> f64) -> f32 {
         curve(self.to_f64()) as f32
     }
 
@@ -148,7 +160,12 @@ impl Sample for f32 {
         f32::from_bits(1)
     }
 
-    fn decode(self, _: &[f32], curve: impl Fn(f64) -> f64) -> f32 {
+    type Table<'a> = ();
+
+    fn table(_: &[f32]) -> Self::Table<'_> {}
+
+    #[inline]
+    fn decode(self, (): Self::Table<'_>, curve: impl Fn(f64) -> f64) -> f32 {
         curve(f64::from(self)) as f32
     }
 

@@ -1,12 +1,17 @@
 //! What an area of a photograph holds: means, spread, and how well the mean is known.
 
+use std::ops::Range;
+
 use serde::Serialize;
 
-use super::{Area, Photo, Pixel};
-use crate::number::at_ranks;
+use super::area::pixel_range;
+use super::channel::{ChannelStatistics, ChannelValues};
+use super::picture::RowPart;
+use super::{Area, Photo, Pixel, PixelFlags};
+use crate::color::Rgb;
 
 /// The area is cut into this many tiles each way for the jackknife: neighbouring pixels correlate.
-const TILES: usize = 8;
+pub(super) const TILES: usize = 8;
 
 /// Statistics of one area for each channel, linear Rec.709.
 ///
@@ -43,16 +48,16 @@ impl AreaStatistics {
         Self::of_pixels(photo, area, |pixel| pixel)
     }
 
-    /// Measures an area after `read` has seen each pixel.
+    /// Measures an area after `read` has seen each pixel. It may change colours, not flags.
     pub(super) fn of_pixels(photo: &Photo, area: Area, read: impl Fn(Pixel) -> Pixel) -> Self {
         let mut samples = Samples::with_capacity(area.most_pixels(photo.width, photo.height));
-        let tiles = Tiles::of(area);
+        let (tiles, mut part) = (Tiles::of(area, photo), RowPart::default());
         for (row, columns) in area.rows(photo.width, photo.height) {
-            let (tile_row, mut column) = (tiles.row(row), columns.start);
-            photo.for_each_of_row(row, columns, |pixel| {
-                samples.push(read(pixel), tile_row + tiles.column(column));
-                column += 1;
-            });
+            for (tile, columns) in tiles.of_row(row, columns) {
+                part.read(photo, row, columns);
+                samples.extend(&mut part, &read);
+                samples.end_stretch(tile);
+            }
         }
         samples.statistics()
     }
@@ -78,55 +83,75 @@ pub(super) fn usable_channels(pixel: &Pixel) -> [bool; 3] {
 
 /// Which tile of an area a pixel lies in: row by row.
 struct Tiles {
-    left: f64,
     top: f64,
-    columns_per_pixel: f64,
     rows_per_pixel: f64,
+    /// The first column that lies in each column of tiles, and where the last one ends.
+    edges: [u32; TILES + 1],
 }
 
 impl Tiles {
-    fn of(area: Area) -> Self {
+    fn of(area: Area, photo: &Photo) -> Self {
         let [left, top, width, height] = area.bounds();
-        Self { left, top, columns_per_pixel: TILES as f64 / width, rows_per_pixel: TILES as f64 / height }
+        let columns = pixel_range(left, width, photo.width);
+        let lies_before = |column: u32, tile| index(column, left, TILES as f64 / width) < tile;
+        let edges = std::array::from_fn(|tile| {
+            let before = columns.clone().take_while(|column| tile == TILES || lies_before(*column, tile));
+            columns.start + before.count() as u32
+        });
+        Self { top, rows_per_pixel: TILES as f64 / height, edges }
     }
 
-    fn column(&self, column: u32) -> u8 {
-        Self::index((f64::from(column) + 0.5 - self.left) * self.columns_per_pixel)
-    }
-
-    /// The first tile of the row.
-    fn row(&self, row: u32) -> u8 {
-        TILES as u8 * Self::index((f64::from(row) + 0.5 - self.top) * self.rows_per_pixel)
-    }
-
-    fn index(place: f64) -> u8 {
-        (place as u8).min(TILES as u8 - 1)
+    /// The columns of a row that lie in each tile, where there are any.
+    fn of_row(&self, row: u32, columns: Range<u32>) -> impl Iterator<Item = (usize, Range<u32>)> {
+        let first = TILES * index(row, self.top, self.rows_per_pixel);
+        let within = move |edges: &[u32]| edges[0].max(columns.start)..edges[1].min(columns.end);
+        let tiles = self.edges.windows(2).map(within).enumerate();
+        tiles.filter(|(_, columns)| !columns.is_empty()).map(move |(tile, columns)| (first + tile, columns))
     }
 }
 
-/// The pixels of an area, and the usable values of each channel. Floats keep a large area small: 15 bytes for each
-/// pixel.
+/// Which of the tiles in one direction a row or a column lies in.
+fn index(pixel: u32, start: f64, per_pixel: f64) -> usize {
+    (((f64::from(pixel) + 0.5 - start) * per_pixel) as usize).min(TILES - 1)
+}
+
+/// The pixels of an area, and the usable values of each channel.
 struct Samples {
     pixels: usize,
-    channels: [Usable; 3],
+    channels: [ChannelValues; 3],
     clipped: [usize; 3],
     black: usize,
     non_finite: usize,
 }
 
-/// The linear values of a channel that is neither clipped nor not finite, and their tiles.
-struct Usable {
-    values: Vec<f32>,
-    tiles: Vec<u8>,
-}
-
 impl Samples {
     fn with_capacity(pixels: usize) -> Self {
-        let usable = || Usable { values: Vec::with_capacity(pixels), tiles: Vec::with_capacity(pixels) };
-        Self { pixels: 0, channels: [usable(), usable(), usable()], clipped: [0; 3], black: 0, non_finite: 0 }
+        let channels = std::array::from_fn(|_| ChannelValues::with_capacity(pixels));
+        Self { pixels: 0, channels, clipped: [0; 3], black: 0, non_finite: 0 }
     }
 
-    fn push(&mut self, pixel: Pixel, tile: u8) {
+    fn extend(&mut self, part: &mut RowPart, read: impl Fn(Pixel) -> Pixel) {
+        let RowPart { rgb, flags } = part;
+        if flags.is_empty() {
+            let plain = |rgb| read(Pixel { rgb: Rgb(rgb), flags: PixelFlags::default() }).rgb.0;
+            rgb.iter_mut().for_each(|rgb| *rgb = plain(*rgb));
+            self.extend_plainly(rgb);
+        } else {
+            let pixels = rgb.iter().zip(flags).map(|(rgb, flags)| Pixel { rgb: Rgb(*rgb), flags: *flags });
+            pixels.for_each(|pixel| self.push(read(pixel)));
+        }
+    }
+
+    /// Takes pixels without flags.
+    fn extend_plainly(&mut self, pixels: &[[f64; 3]]) {
+        self.pixels += pixels.len();
+        for (channel, usable) in self.channels.iter_mut().enumerate() {
+            usable.values.extend(pixels.iter().map(|rgb| rgb[channel] as f32));
+        }
+    }
+
+    #[inline]
+    fn push(&mut self, pixel: Pixel) {
         self.pixels += 1;
         self.black += usize::from(pixel.flags.black);
         self.non_finite += usize::from(pixel.flags.non_finite);
@@ -135,13 +160,17 @@ impl Samples {
             self.clipped[channel] += usize::from(pixel.flags.clipped[channel]);
             if is_usable[channel] {
                 usable.values.push(pixel.rgb[channel] as f32);
-                usable.tiles.push(tile);
             }
         }
     }
 
+    /// What was pushed since the last end lies in a tile.
+    fn end_stretch(&mut self, tile: usize) {
+        self.channels.iter_mut().for_each(|channel| channel.end_stretch(tile));
+    }
+
     fn statistics(self) -> AreaStatistics {
-        let channels = self.channels.each_ref().map(|usable| ChannelStatistics::of(&usable.values, &usable.tiles));
+        let channels = self.channels.each_ref().map(ChannelStatistics::of);
         let of = |f: fn(&ChannelStatistics) -> f64| channels.each_ref().map(f);
         AreaStatistics {
             mean: of(|s| s.mean),
@@ -158,96 +187,12 @@ impl Samples {
     }
 }
 
-/// What one channel of an area holds.
-struct ChannelStatistics {
-    mean: f64,
-    trimmed_mean: f64,
-    median: f64,
-    standard_deviation: f64,
-    standard_error: f64,
-    bimodality: f64,
-}
-
-impl ChannelStatistics {
-    /// Of values in any order, and the tile of each.
-    fn of(values: &[f32], tiles: &[u8]) -> Self {
-        let count = values.len();
-        let mean = sum(values, f64::from) / count as f64;
-        let squares = sum(values, |value| (f64::from(value) - mean).powi(2));
-        let standard_deviation = (squares / (count as f64 - 1.0)).sqrt();
-        let bimodality = bimodality(values, mean, squares);
-        if values.is_empty() {
-            return Self {
-                mean,
-                trimmed_mean: mean,
-                median: mean,
-                standard_deviation,
-                standard_error: mean,
-                bimodality,
-            };
-        }
-        let cut = count / 5;
-        let [low, lower, upper, high] = at_ranks(values, [cut, (count - 1) / 2, count / 2, count - cut - 1]);
-        let trimmed_mean = trimmed_mean(values, cut, [low, high]);
-        let median = 0.5 * (f64::from(lower) + f64::from(upper));
-        let standard_error = standard_error(values, tiles, [low, high]);
-        Self { mean, trimmed_mean, median, standard_deviation, standard_error, bimodality }
-    }
-}
-
-/// The sum of a function of the values, in eight lanes: one sum would wait for each addition.
-fn sum(values: &[f32], of: impl Fn(f32) -> f64) -> f64 {
-    let (chunks, rest) = values.as_chunks::<8>();
-    let mut lanes = [0.0; 8];
-    for chunk in chunks {
-        lanes.iter_mut().zip(chunk).for_each(|(lane, value)| *lane += of(*value));
-    }
-    lanes.iter().sum::<f64>() + rest.iter().map(|value| of(*value)).sum::<f64>()
-}
-
-/// Mean of the values from the `cut`th smallest to the `cut`th largest, which are `low` and `high`: the sum of all held
-/// between them, less what the `cut` held at each end add.
-fn trimmed_mean(values: &[f32], cut: usize, [low, high]: [f32; 2]) -> f64 {
-    let held = sum(values, |value| f64::from(value.clamp(low, high)));
-    let ends = cut as f64 * (f64::from(low) + f64::from(high));
-    (held - ends) / (values.len() - 2 * cut) as f64
-}
-
-/// Delete-a-block jackknife of the trimmed mean (Künsch 1989) over tiles.
-///
-/// A tile's pull on the trimmed mean is the sum of its winsorised deviations over 0.6 n, the trimmed
-/// mean's influence function (Huber 1981, section 3.3), so that one pass serves every tile.
-fn standard_error(values: &[f32], tiles: &[u8], [low, high]: [f32; 2]) -> f64 {
-    let mut sums = [(0.0, 0.0); TILES * TILES];
-    for (value, tile) in values.iter().zip(tiles) {
-        sums[usize::from(*tile)].0 += f64::from(value.clamp(low, high));
-        sums[usize::from(*tile)].1 += 1.0;
-    }
-    let count = values.len() as f64;
-    let centre = sums.iter().map(|(sum, _)| sum).sum::<f64>() / count;
-    let pull = |(sum, size): &(f64, f64)| (centre * size - sum) / (0.6 * (count - size));
-    let estimates: Vec<f64> = sums.iter().filter(|(_, size)| *size > 0.0).map(pull).collect();
-    jackknife_error(&estimates)
-}
-
 /// The jackknife's standard error from the estimates with one block left out each; NaN for fewer than two.
 pub(super) fn jackknife_error(estimates: &[f64]) -> f64 {
     let blocks = estimates.len() as f64;
     let centre = estimates.iter().sum::<f64>() / blocks;
     let spread: f64 = estimates.iter().map(|estimate| (estimate - centre).powi(2)).sum();
     if estimates.len() < 2 { f64::NAN } else { ((blocks - 1.0) / blocks * spread).sqrt() }
-}
-
-/// Between-class share of the variance when the values are split at their mean (Otsu 1979, eq. 12). `squares` is the
-/// sum of squared differences from that mean.
-fn bimodality(values: &[f32], mean: f64, squares: f64) -> f64 {
-    let is_below = |value: f32| f64::from(value) < mean;
-    let below = sum(values, |value| f64::from(u8::from(is_below(value))));
-    let sum_below = sum(values, |value| if is_below(value) { f64::from(value) } else { 0.0 });
-    let count = values.len() as f64;
-    let (low, high) = (sum_below / below, (mean * count - sum_below) / (count - below));
-    let between = below * (count - below) / count * (high - low).powi(2);
-    if squares > 0.0 { between / squares } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -286,23 +231,6 @@ mod tests {
     fn a_highlight_moves_the_mean_but_not_the_trimmed_mean() {
         let s = whole(&photo(32, |x, _| if x < 4 { 50.0 } else { 1.0 }));
         assert!(s.mean[0] > 7.0 && s.trimmed_mean[0] == 1.0 && s.median[0] == 1.0);
-    }
-
-    /// Ranks give what sorting gives, for every number of values.
-    #[test]
-    fn the_middle_is_that_of_the_sorted_values() {
-        let value = |i: usize| ((i * 7_919 + 13) % 101) as f32;
-        for count in 1..60 {
-            let values: Vec<f32> = (0..count).map(value).collect();
-            let mut sorted: Vec<f64> = values.iter().map(|value| f64::from(*value)).collect();
-            sorted.sort_by(f64::total_cmp);
-            let median = crate::number::median(&mut sorted.clone());
-            let middle = &sorted[count / 5..count - count / 5];
-            let expected = middle.iter().sum::<f64>() / middle.len() as f64;
-            let found = ChannelStatistics::of(&values, &vec![0; count]);
-            assert!((found.trimmed_mean - expected).abs() < 1e-9, "{count}");
-            assert_eq!(found.median, median, "{count}");
-        }
     }
 
     #[test]

@@ -52,7 +52,7 @@ pub(super) fn develop(preview: &Preview, how: Development) -> ColorImage {
     let gain = how.exposure_ev.exp2();
     let pixels = preview.rgb.par_iter().zip(&preview.flags);
     let shown = pixels.map(|(rgb, flags)| {
-        let alarm = how.is_false_colour.then(|| alarm(*rgb, *flags)).flatten();
+        let alarm = how.is_false_colour.then(|| alarm(*rgb, flags.unpack())).flatten();
         alarm.unwrap_or_else(|| encode(*rgb, gain))
     });
     ColorImage::new([preview.width as usize, preview.height as usize], shown.collect())
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     fn one(rgb: [f32; 3], flags: PixelFlags, how: Development) -> Color32 {
-        let preview = Preview { width: 1, height: 1, rgb: vec![rgb], flags: vec![flags] };
+        let preview = Preview { width: 1, height: 1, rgb: vec![rgb], flags: vec![flags.into()] };
         develop(&preview, how).pixels[0]
     }
 
