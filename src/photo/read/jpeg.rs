@@ -32,9 +32,13 @@ pub(super) fn decode(bytes: &[u8], progress: Progress<'_>) -> Result<Decoded, Ph
     if is_cancelled.get() { Err(PhotoErrorKind::Cancelled) } else { decoded }
 }
 
+/// What a header may hold.
+fn lenient() -> DecoderOptions {
+    DecoderOptions::default().set_max_width(usize::MAX).set_max_height(usize::MAX).set_strict_mode(false)
+}
+
 fn decode_watched(bytes: &[u8], watched: Watched<'_>) -> Result<Decoded, PhotoErrorKind> {
-    let options = DecoderOptions::default().set_max_width(usize::MAX).set_max_height(usize::MAX);
-    let mut decoder = JpegDecoder::new_with_options(watched, options.set_strict_mode(false));
+    let mut decoder = JpegDecoder::new_with_options(watched, lenient());
     decoder.decode_headers().map_err(damaged)?;
     let info = decoder.info().ok_or_else(|| PhotoErrorKind::damaged("JPEG")(&"it has no header"))?;
     let channels = match info.components {
@@ -48,10 +52,10 @@ fn decode_watched(bytes: &[u8], watched: Watched<'_>) -> Result<Decoded, PhotoEr
         return Err(PhotoErrorKind::damaged("JPEG")(&"its end is missing"));
     }
     let output = if channels == 1 { ColorSpace::Luma } else { ColorSpace::RGB };
-    decoder.set_options(options.set_strict_mode(true).jpeg_set_out_colorspace(output));
+    decoder.set_options(lenient().set_strict_mode(true).jpeg_set_out_colorspace(output));
     let exif = Exif::read(decoder.exif().map(Vec::as_slice));
     let icc = icc(&decoder, bytes);
-    let mut samples = vec![0; size[0] as usize * size[1] as usize * channels as usize];
+    let mut samples = limits::zeros(size[0] as usize * size[1] as usize * channels as usize)?;
     decoder.decode_into(&mut samples).map_err(damaged)?;
 
     Ok(Decoded {

@@ -42,6 +42,13 @@ pub(super) fn reserve<T>(samples: usize) -> Result<Vec<T>, PhotoErrorKind> {
     Ok(room)
 }
 
+/// Zeros for the samples of a picture. Room is asked for first, since the second time nobody could be told that there is
+/// none; the system then hands out pages that are zero already, each when it is first touched.
+pub(super) fn zeros<T: Clone + Default>(samples: usize) -> Result<Vec<T>, PhotoErrorKind> {
+    drop(reserve::<T>(samples)?);
+    Ok(vec![T::default(); samples])
+}
+
 /// The error of an allocation that the system refused.
 pub(super) fn out_of_memory(bytes: u64) -> PhotoErrorKind {
     too_large(format!("a picture of {} MiB", bytes.div_ceil(1 << 20)), "this computer's free memory")

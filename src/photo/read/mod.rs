@@ -86,13 +86,17 @@ pub(super) fn photo(
     }
     limits::check_file(bytes.len() as u64)?;
     std::thread::scope(|scope| {
-        let sha256 = scope.spawn(|| sha256(bytes));
         let format = sniff::format(name, bytes)?;
-        if let (Format::Jpeg, Some(look)) = (format, look) {
-            scope.spawn(move || first_look(bytes, options).map(look));
-        }
+        let look = look.filter(|_| format == Format::Jpeg);
+        // One thread beside the decoder's: a person waits for the look, and nobody for the hash.
+        let sha256 = scope.spawn(move || {
+            if let Some(look) = look {
+                first_look(bytes, options).map(look);
+            }
+            sha256(bytes)
+        });
         let decoded = decode(format, bytes, options, progress)?;
-        Ok(finish(name, sha256.join().expect("hashing does not panic"), decoded, options))
+        Ok(finish(name, sha256.join().expect("neither a look nor hashing panics"), decoded, options))
     })
 }
 

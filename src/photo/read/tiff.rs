@@ -92,11 +92,11 @@ impl Form {
         let size = limits::check_size(width.into(), height.into(), bytes_per_pixel)?;
         let count = size[0] as usize * size[1] as usize * channels;
         let result = match (format, bits) {
-            (1, 8) => DecodingResult::U8(zeros(count)?),
-            (1, 16) => DecodingResult::U16(zeros(count)?),
-            (3, 16) => DecodingResult::F16(zeros(count)?),
-            (3, 32) => DecodingResult::F32(zeros(count)?),
-            (3, 64) => DecodingResult::F64(zeros(count)?),
+            (1, 8) => DecodingResult::U8(limits::zeros(count)?),
+            (1, 16) => DecodingResult::U16(limits::zeros(count)?),
+            (3, 16) => DecodingResult::F16(limits::zeros(count)?),
+            (3, 32) => DecodingResult::F32(limits::zeros(count)?),
+            (3, 64) => DecodingResult::F64(limits::zeros(count)?),
             (format, bits) => {
                 let kind = ["unsigned", "signed", "floating-point"].get(usize::from(format).wrapping_sub(1));
                 return Err(unsupported(format!("a TIFF with {bits}-bit {} samples", kind.unwrap_or(&"undefined"))));
@@ -126,12 +126,6 @@ impl Form {
 
 fn wrap<T>(depth: fn(Vec<T>) -> Samples, (samples, warning): (Vec<T>, Option<Warning>)) -> (Samples, Option<Warning>) {
     (depth(samples), warning)
-}
-
-fn zeros<T: Clone + Default>(count: usize) -> Result<Vec<T>, PhotoErrorKind> {
-    let mut samples = limits::reserve(count)?;
-    samples.resize(count, T::default());
-    Ok(samples)
 }
 
 /// Interleaves planes and drops alpha.
