@@ -3,7 +3,7 @@
 //! Times on their own say more of the machine than of the program, so the first lines hold each against the bare
 //! decoder or a plain loop over the same data in the same run: processor time of all threads, the least of several
 //! rounds in turns. The bars: a JPEG to statistics and preview at most 1.35 × its decoder with at most 64 MB beside the
-//! decoded picture; the first look within 0.6 of a decode; a 16-bit TIFF at its decoder's own speed.
+//! decoded picture; the first look within 0.6 of an opening; a 16-bit TIFF at its decoder's own speed.
 
 #![expect(clippy::print_stdout, reason = "the ratios are what it is run for")]
 
@@ -12,6 +12,7 @@ use std::hint::black_box;
 use std::io::Cursor;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use divan::Bencher;
@@ -24,16 +25,15 @@ use rayon::prelude::*;
 use zune_core::bytestream::ZCursor;
 
 fn main() {
-    println!("24 megapixels; processor time of all threads, least of {ROUNDS} rounds");
-    jpeg_ratios();
+    println!("processor time of all threads, least of {ROUNDS} rounds");
+    jpeg_ratios("60-megapixel JPEG", jpeg_of([9504, 6336]), [9504, 6336]);
+    jpeg_ratios("24-megapixel JPEG", jpeg().to_vec(), SIZE);
     tiff_ratios();
-    println!("a ball of 1 megapixel; processor time of all threads, least of {ROUNDS} rounds");
     fit_ratios();
     divan::main();
 }
 
-const WIDTH: u32 = 6000;
-const HEIGHT: u32 = 4000;
+const SIZE: [u32; 2] = [6000, 4000];
 const ROUNDS: usize = 5;
 
 /// What a camera sees, roughly: detail at every scale, which compresses to a quarter of a byte a pixel.
@@ -53,26 +53,32 @@ fn value(x: u32, y: u32, channel: u32) -> f64 {
     0.5 + 0.06 * [1, 3, 5, 7, 9].map(octave).iter().sum::<f64>()
 }
 
-fn picture() -> Vec<u8> {
+fn picture([width, height]: [u32; 2]) -> Vec<u8> {
     let row =
-        |y: u32| (0..WIDTH).flat_map(move |x| [0, 1, 2].map(|c| (value(x, y, c) * 255.0).clamp(0.0, 255.0) as u8));
-    (0..HEIGHT).into_par_iter().flat_map_iter(row).collect()
+        |y: u32| (0..width).flat_map(move |x| [0, 1, 2].map(|c| (value(x, y, c) * 255.0).clamp(0.0, 255.0) as u8));
+    (0..height).into_par_iter().flat_map_iter(row).collect()
 }
 
 /// Quality 93 with the colours at half resolution, as cameras write it.
-fn jpeg() -> Vec<u8> {
+fn jpeg_of(size: [u32; 2]) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = jpeg_encoder::Encoder::new(&mut file, 93);
     encoder.set_sampling_factor(jpeg_encoder::SamplingFactor::F_2_2);
-    encoder.encode(&picture(), WIDTH as u16, HEIGHT as u16, jpeg_encoder::ColorType::Rgb).expect("a picture");
+    let [width, height] = size.map(|side| side as u16);
+    encoder.encode(&picture(size), width, height, jpeg_encoder::ColorType::Rgb).expect("a picture");
     file
 }
 
+fn jpeg() -> &'static [u8] {
+    static FILE: LazyLock<Vec<u8>> = LazyLock::new(|| jpeg_of(SIZE));
+    &FILE
+}
+
 fn tiff16() -> Vec<u8> {
-    let wide: Vec<u16> = picture().into_iter().map(|code| u16::from(code) * 257).collect();
+    let wide: Vec<u16> = picture(SIZE).into_iter().map(|code| u16::from(code) * 257).collect();
     let mut file = Cursor::new(Vec::new());
     let mut encoder = tiff::encoder::TiffEncoder::new(&mut file).expect("memory");
-    encoder.write_image::<tiff::encoder::colortype::RGB16>(WIDTH, HEIGHT, &wide).expect("a picture");
+    encoder.write_image::<tiff::encoder::colortype::RGB16>(SIZE[0], SIZE[1], &wide).expect("a picture");
     file.into_inner()
 }
 
@@ -90,12 +96,45 @@ fn bare_tiff(file: &[u8]) -> bool {
     matches!(decoder.read_image(), Ok(tiff::decoder::DecodingResult::U16(_)))
 }
 
+fn read(name: &str, file: &[u8]) -> Photo {
+    Photo::from_bytes(name, file, &mut go_on).expect("a photograph")
+}
+
+fn statistics(photo: &Photo) -> AreaStatistics {
+    AreaStatistics::of(photo, Area::rectangle(2000.0, 1000.0, 1000.0, 1000.0))
+}
+
 /// A whole photograph: what is wrong with it, what a million pixels of it hold, what the screen shows.
 fn ours(name: &str, file: &[u8]) -> f64 {
-    let photo = Photo::from_bytes(name, file, &mut go_on).expect("a photograph");
-    let statistics = AreaStatistics::of(&photo, Area::rectangle(2000.0, 1000.0, 1000.0, 1000.0));
+    let photo = read(name, file);
+    let statistics = statistics(&photo);
     black_box(photo.preview(2048));
     statistics.trimmed_mean[0]
+}
+
+/// What something takes.
+#[derive(Clone, Copy)]
+struct Cost {
+    /// Processor time of all threads.
+    processor: Duration,
+    /// Time on the clock.
+    clock: Duration,
+}
+
+impl Cost {
+    /// Of one call, from as many as take a second.
+    fn of<T>(f: &mut dyn FnMut() -> T) -> Self {
+        let (start, processor, mut calls) = (Instant::now(), processor_time(), 0);
+        while calls == 0 || start.elapsed() < Duration::from_secs(1) {
+            black_box(f());
+            calls += 1;
+        }
+        Self { processor: (processor_time() - processor) / calls, clock: start.elapsed() / calls }
+    }
+
+    fn least(self, other: Self) -> Self {
+        Self { processor: self.processor.min(other.processor), clock: self.clock.min(other.clock) }
+    }
 }
 
 /// Processor time of all threads of this process so far. The system counts in hundredths of a second.
@@ -105,20 +144,10 @@ fn processor_time() -> Duration {
     Duration::from_millis(10 * ticks.filter_map(|ticks| ticks.parse::<u64>().ok()).sum::<u64>())
 }
 
-/// Processor time of one call, from as many as take a second.
-fn time_of<T>(f: &mut dyn FnMut() -> T) -> Duration {
-    let (start, cpu, mut calls) = (Instant::now(), processor_time(), 0);
-    while calls == 0 || start.elapsed() < Duration::from_secs(1) {
-        black_box(f());
-        calls += 1;
-    }
-    (processor_time() - cpu) / calls
-}
-
-/// The least times of two things in turns.
-fn against<A, B>(mut ours: impl FnMut() -> A, mut bare: impl FnMut() -> B) -> [Duration; 2] {
-    let rounds = (0..ROUNDS).map(|_| [time_of(&mut ours), time_of(&mut bare)]);
-    rounds.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]).unwrap_or_default()
+/// The least costs of two things in turns.
+fn against<A, B>(mut ours: impl FnMut() -> A, mut bare: impl FnMut() -> B) -> [Cost; 2] {
+    let rounds = (0..ROUNDS).map(|_| [Cost::of(&mut ours), Cost::of(&mut bare)]);
+    rounds.reduce(|a, b| [a[0].least(b[0]), a[1].least(b[1])]).expect("a round")
 }
 
 fn print_ratio(what: &str, [ours, bare]: [Duration; 2], than: &str) {
@@ -126,18 +155,23 @@ fn print_ratio(what: &str, [ours, bare]: [Duration; 2], than: &str) {
     println!("{what}: {ours:.1?}, {ratio:.2} × {than} ({bare:.1?})");
 }
 
-fn jpeg_ratios() {
-    let file = jpeg();
-    println!("JPEG of {:.2} bytes a pixel", file.len() as f64 / f64::from(WIDTH * HEIGHT));
-    let times = against(|| ours("photo.jpg", &file), || bare_jpeg(&file));
-    print_ratio("JPEG to statistics of 1 megapixel and preview", times, "the bare decoder");
+fn jpeg_ratios(what: &str, file: Vec<u8>, [width, height]: [u32; 2]) {
+    let decoded = 3 * u64::from(width * height);
+    println!("{what} of {:.2} bytes a pixel", 3.0 * file.len() as f64 / decoded as f64);
+    let costs = against(|| ours("photo.jpg", &file), || bare_jpeg(&file));
+    let than = "the bare decoder";
+    print_ratio("  to statistics of 1 megapixel and preview", costs.map(|cost| cost.processor), than);
+    let photo = read("photo.jpg", &file);
+    let (statistics, preview) = (Cost::of(&mut || statistics(&photo)), Cost::of(&mut || photo.preview(2048)));
+    println!("  of which statistics {:.1?}, preview {:.1?}", statistics.processor, preview.processor);
+    drop(photo);
 
     let before = memory("VmRSS");
     // Makes the kernel forget the largest size so far.
     let _ = fs::write("/proc/self/clear_refs", "5");
     black_box(ours("photo.jpg", &file));
-    let beside = memory("VmHWM").saturating_sub(before).saturating_sub(3 * u64::from(WIDTH * HEIGHT));
-    println!("memory beside the decoded picture at most: {} MB", beside / 1_000_000);
+    let beside = memory("VmHWM").saturating_sub(before).saturating_sub(decoded);
+    println!("  memory beside the decoded picture at most: {} MB", beside / 1_000_000);
 
     let folder = std::env::temp_dir().join(format!("edgewise-bench-{}", std::process::id()));
     let _ = fs::create_dir(&folder);
@@ -156,13 +190,16 @@ fn first_look(path: &Path) {
         [seen, start.elapsed()]
     });
     let [seen, whole] = rounds.min_by_key(|[_, whole]| *whole).unwrap_or_default();
-    print_ratio("first look on the clock", [seen, whole], "the whole opening");
+    print_ratio("  first look on the clock", [seen, whole], "the whole opening");
 }
 
+/// Beside the samples a TIFF is hashed, which takes as long as copying it: another processor does that.
 fn tiff_ratios() {
     let file = tiff16();
-    let open = || Photo::from_bytes("photo.tif", &file, &mut go_on).expect("a photograph").width;
-    print_ratio("16-bit TIFF", against(open, || bare_tiff(&file)), "the bare decoder");
+    let costs = against(|| read("photo.tif", &file).width, || bare_tiff(&file));
+    println!("24-megapixel TIFF of 16 bits");
+    print_ratio("  on the clock", costs.map(|cost| cost.clock), "the bare decoder");
+    print_ratio("  processor time", costs.map(|cost| cost.processor), "the bare decoder");
 }
 
 /// Bytes, by a line of the system's account of this process.
@@ -219,6 +256,11 @@ fn fitted(photo: &Photo) -> Vec<(f32, [f32; 3])> {
     (0..1250 * 1200_u32).filter_map(pixel).collect()
 }
 
+/// Processor times of two things in turns.
+fn processor_times<A, B>(ours: impl FnMut() -> A, bare: impl FnMut() -> B) -> [Duration; 2] {
+    against(ours, bare).map(|cost| cost.processor)
+}
+
 /// The fits of a match to what was read, for a million pixels each: the bars are 2 ms by least squares, 10 ms robustly.
 /// Then reading it, and a whole match of this ball.
 fn fit_ratios() {
@@ -230,21 +272,20 @@ fn fit_ratios() {
         [ours.mul_f64(1e6 / pixels.count() as f64), bare.mul_f64(1e6 / fitted.len() as f64)]
     };
     let plain_loop = || plain_loop(black_box(&fitted));
-    let times = for_a_million(against(|| pixels.least_squares(), plain_loop));
+    let times = for_a_million(processor_times(|| pixels.least_squares(), plain_loop));
     print_ratio("least squares of a million pixels", times, "a plain loop");
-    let times = for_a_million(against(|| pixels.robust_fit(), plain_loop));
+    let times = for_a_million(processor_times(|| pixels.robust_fit(), plain_loop));
     print_ratio("robust fit of a million pixels", times, "a plain loop");
     let read = || MatchPixels::read(&photo, &request).map(|pixels| pixels.count());
-    print_ratio("reading the ball", against(read, plain_loop), "a plain loop over what is fitted of it");
+    print_ratio("reading the ball", processor_times(read, plain_loop), "a plain loop over what is fitted of it");
     let whole = || solve(&photo, &request, RgbSpace::LinRec709).expect("a match").r[0];
-    let times = against(whole, plain_loop);
+    let times = processor_times(whole, plain_loop);
     print_ratio("a match with outline, uncertainty and warnings", times, "a plain loop over what is fitted of it");
 }
 
 #[divan::bench(sample_count = 5, sample_size = 1)]
 fn jpeg_of_24_megapixels(bencher: Bencher) {
-    let file = jpeg();
-    bencher.bench_local(|| ours("photo.jpg", &file));
+    bencher.bench_local(|| ours("photo.jpg", jpeg()));
 }
 
 #[divan::bench]
@@ -259,19 +300,19 @@ fn statistics_of_a_megapixel(bencher: Bencher) {
     bencher.bench_local(|| AreaStatistics::of(&photo, Area::rectangle(100.0, 100.0, 1000.0, 1000.0)));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 20)]
 fn outline_that_is_snapped(bencher: Bencher) {
     let photo = ball();
     bencher.bench_local(|| snap_circle(&photo, Circle::new(610.0, 590.0, 540.0)));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 20)]
 fn ball_that_is_found(bencher: Bencher) {
     let photo = ball();
     bencher.bench_local(|| find_ball(&photo));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 20)]
 fn match_of_a_megapixel(bencher: Bencher) {
     let (photo, request) = (ball(), request());
     bencher.bench_local(|| solve(&photo, &request, RgbSpace::LinRec709));

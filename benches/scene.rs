@@ -62,7 +62,7 @@ fn angles_of([pass, ids]: &[Vec<u8>; 2]) -> Vec<Angles> {
 /// Metals of the library and edited presets in turn, as a large scene has them.
 fn usual(index: usize) -> Source {
     let metals: Vec<&Metal> = preferred_metals().collect();
-    if index % 2 == 0 {
+    if index.is_multiple_of(2) {
         return Source::Metal(Arc::new(metals[index / 2 % metals.len()].clone()));
     }
     let mut preset = built_in_presets()[index / 2 % built_in_presets().len()].clone();
