@@ -272,10 +272,12 @@ fn fit_ratios() {
         [ours.mul_f64(1e6 / pixels.count() as f64), bare.mul_f64(1e6 / fitted.len() as f64)]
     };
     let plain_loop = || plain_loop(black_box(&fitted));
-    let times = for_a_million(processor_times(|| pixels.least_squares(), plain_loop));
-    print_ratio("least squares of a million pixels", times, "a plain loop");
-    let times = for_a_million(processor_times(|| pixels.robust_fit(), plain_loop));
-    print_ratio("robust fit of a million pixels", times, "a plain loop");
+    let print = |what: &str, costs: [Cost; 2]| {
+        print_ratio(what, for_a_million(costs.map(|cost| cost.processor)), "a plain loop");
+        println!("  on the clock {:.1?}", for_a_million(costs.map(|cost| cost.clock))[0]);
+    };
+    print("least squares of a million pixels", against(|| pixels.least_squares(), plain_loop));
+    print("robust fit of a million pixels", against(|| pixels.robust_fit(), plain_loop));
     let read = || MatchPixels::read(&photo, &request).map(|pixels| pixels.count());
     print_ratio("reading the ball", processor_times(read, plain_loop), "a plain loop over what is fitted of it");
     let whole = || solve(&photo, &request, RgbSpace::LinRec709).expect("a match").r[0];

@@ -92,6 +92,7 @@ fn open(preset_file: &Path, renderer: &str) {
             .env("DISPLAY", &display)
             .env("HOME", home.path())
             .env("XDG_RUNTIME_DIR", home.path())
+            .env_remove("XDG_CONFIG_HOME")
             .env_remove("WAYLAND_DISPLAY")
             .stderr(Stdio::null()),
     );

@@ -42,7 +42,8 @@ pub(crate) struct Difference {
 }
 
 impl Drawn {
-    /// Draws a preview; the truth as it is given. The memory of `spare` is used again, whatever it shows.
+    /// Draws a preview; the truth as it is given. Without one the codes are drawn at once, into the memory of `spare`; a
+    /// difference needs the linear pictures of both.
     pub(super) fn of(wanted: &Wanted, quality: Quality, truth: Option<&RadialTable>, mut spare: Srgb8Picture) -> Self {
         let view = view_of(&Wanted { size: quality.size(wanted.size), ..wanted.clone() });
         let table = RadialTable::of_model(&wanted.model, wanted.space);

@@ -54,7 +54,10 @@ impl Settings {
 /// The file of the settings, written as they change.
 pub(crate) struct SettingsFile {
     path: PathBuf,
+    /// What the file holds, or what the window started with.
     written: Option<Settings>,
+    /// What the window had last.
+    newest: Option<Settings>,
     writing: Follower<Settings, Result<(), String>>,
 }
 
@@ -62,13 +65,14 @@ impl SettingsFile {
     /// The file at `path` and what it holds. A file that cannot be used is left as it is, and nothing is kept.
     pub(crate) fn open(path: PathBuf) -> Result<(Self, Option<Settings>), String> {
         let settings = Settings::read(&path)?;
-        Ok((Self { path, written: settings, writing: Follower::default() }, settings))
+        Ok((Self { path, written: settings, newest: settings, writing: Follower::default() }, settings))
     }
 
     /// Writes the settings where they have changed; gives a sentence when that failed.
     pub(crate) fn keep(&mut self, ctx: &Context, settings: Settings) -> Option<String> {
         // What a window starts with needs no file.
         let known = *self.written.get_or_insert(settings);
+        self.newest = Some(settings);
         if known == settings && !self.writing.is_busy() {
             return None;
         }
@@ -77,6 +81,15 @@ impl SettingsFile {
         let (settings, outcome) = self.writing.follow(ctx, "keep settings", settings, write)?;
         self.written = Some(settings);
         outcome.err()
+    }
+
+    /// Writes what has not been written, before the window is gone.
+    pub(crate) fn finish(&self) {
+        if let Some(settings) = self.newest.filter(|newest| self.written != Some(*newest))
+            && let Err(error) = write(&self.path, &settings)
+        {
+            log::warn!("settings could not be kept: {error}");
+        }
     }
 
     /// True while the file is being written.
@@ -96,4 +109,31 @@ fn write(path: &Path, settings: &Settings) -> Result<(), String> {
 /// Where this system keeps what a person has chosen, if it says so.
 pub(crate) fn path() -> Option<PathBuf> {
     Some(dirs::config_dir()?.join("edgewise").join("settings.json"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_change_is_there_even_where_nobody_waited_for_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("settings.json");
+        let (mut file, before) = SettingsFile::open(path.clone()).unwrap();
+        assert_eq!(before, None);
+        let ctx = Context::default();
+        let settings = |preview_ms| Settings { preview_ms, ..Settings::of(&ctx, 16.0) };
+        assert_eq!(file.keep(&ctx, settings(16.0)), None);
+        file.finish();
+        assert!(!path.exists(), "what a window starts with needs no file");
+        for preview_ms in [17.0, 18.0, 19.0] {
+            assert_eq!(file.keep(&ctx, settings(preview_ms)), None);
+        }
+        while file.is_busy() {
+            let _ = file.keep(&ctx, settings(19.0));
+        }
+        let _ = file.keep(&ctx, settings(20.0));
+        file.finish();
+        assert_eq!(Settings::read(&path), Ok(Some(settings(20.0))));
+    }
 }

@@ -273,6 +273,28 @@ mod tests {
         }
     }
 
+    /// Parameters differ from pixel to pixel, so that one from a wrong place would show.
+    #[test]
+    fn every_pixel_has_its_own_parameters() {
+        let plane = |step: usize, length: usize| (0..length).map(|i| (i * step % 97) as f32 / 97.0).collect::<Vec<_>>();
+        for level in levels() {
+            for length in 0..150 {
+                let cosines = plane(5, length);
+                let planes =
+                    [[7, 11, 13].map(|step| plane(step, length)), [17, 19, 23].map(|step| plane(step, length))];
+                let mut out = [(); 3].map(|()| vec![f32::NAN; length]);
+                let parameters = planes.each_ref().map(|planes| planes.each_ref().map(Vec::as_slice));
+                over_pixels(Basis, level, (&cosines, parameters), [out.each_mut().map(Vec::as_mut_slice)]);
+                for i in 0..length {
+                    let of = |planes: &[Vec<f32>; 3]| Rgb(planes.each_ref().map(|plane| f64::from(plane[i])));
+                    let [alone] = Basis::material(of(&planes[0]), of(&planes[1])).at(cosines[i]);
+                    let off = (0..3).map(|channel| (out[channel][i] - alone[channel]).abs()).fold(0.0, f32::max);
+                    assert!(off < 1e-6, "{level:?} {length} {i}: {off}");
+                }
+            }
+        }
+    }
+
     fn finite_of_pixels<F: Form<2>>(form: F, [x, y, c]: [f32; 3]) -> bool {
         let (x, y) = ([x], [y]);
         let mut out = [[f32::NAN; 1]; 3];

@@ -297,4 +297,5 @@ fn the_chart_is_of_the_folder_that_is_open_in_the_library() {
     let options = TradeOptions::default();
     let subjects = presets.each_ref().map(|preset| Subject::of_preset(preset).0);
     assert!(window.shows(&trade_summary(&trade(&subjects, &options, &no_progress).unwrap(), &options)));
+    assert!(window.shows("left out") && window.shows("none.json"), "one of the files is no preset");
 }

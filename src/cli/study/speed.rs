@@ -48,7 +48,7 @@ pub(super) struct SpeedCommand {
     instructions: Option<PathBuf>,
     /// Instead, run our kernel of this name so many times, unmeasured, for a simulator that counts instructions; prints
     /// how many evaluations that were. PER is material, pixel, pair or color
-    #[arg(long, num_args = 3, value_names = ["NAME", "PER", "TURNS"], conflicts_with_all = ["kernel", "quick", "evidence"])]
+    #[arg(long, num_args = 3, value_names = ["NAME", "PER", "TURNS"], conflicts_with_all = ["kernel", "quick", "evidence", "format", "json"])]
     repeat: Vec<String>,
     /// Instead, what the table of errors is computed from, as JSON for scripts/compare_accuracy.py
     #[arg(long, exclusive = true)]

@@ -45,11 +45,6 @@ pub(super) struct TradeCommand {
 impl TradeCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         let mut warnings = Vec::new();
-        let costs = match self.cost {
-            CostAxis::MeasuredNs => measured(&mut warnings)?,
-            CostAxis::ShaderOperations | CostAxis::ParameterBytes => Costs::counted(),
-        };
-        let options = TradeOptions { space: self.space, cost: self.cost, measure: self.on, costs };
         let presets = self.presets(&mut warnings)?;
         let material = Material::read(&self.material, self.space, &mut warnings);
         let (name, subjects) = if self.all {
@@ -60,6 +55,11 @@ impl TradeCommand {
         } else {
             (of_presets(&presets), presets.iter().map(|preset| Subject::of_preset(preset).0).collect::<Vec<_>>())
         };
+        let costs = match self.cost {
+            CostAxis::MeasuredNs => measured(&mut warnings)?,
+            CostAxis::ShaderOperations | CostAxis::ParameterBytes => Costs::counted(),
+        };
+        let options = TradeOptions { space: self.space, cost: self.cost, measure: self.on, costs };
         let rows = with_bar(|progress| trade(&subjects, &options, progress))?;
         self.shown.draw(|| Box::new(trade_figure(&name, &rows, &options)))?;
         self.shown.output(&rows, &trade_summary(&rows, &options), warnings)

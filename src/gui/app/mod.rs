@@ -196,6 +196,9 @@ impl eframe::App for App {
         if let Some(recovery) = &self.recovery {
             recovery.finish();
         }
+        if let Some(settings) = &self.settings {
+            settings.finish();
+        }
     }
 }
 

@@ -21,7 +21,7 @@ impl App {
                 }
             }
             Err(sentence) => {
-                let sentence = format!("{sentence}; the window starts as a new one, and the file is left as it is");
+                let sentence = format!("{sentence}; the file is left as it is, and what is chosen now is not kept");
                 self.state.notify(NoticeKind::Warning, sentence);
             }
         }

@@ -11,7 +11,7 @@ use crate::figure::{ScatterFigure, trade_figure};
 use crate::gui::demonstrations::{Latest, Told};
 use crate::gui::job::Progress;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
-use crate::preset::{Preset, Shelf, built_in_presets};
+use crate::preset::{Loaded, Preset, Shelf, built_in_presets};
 use crate::study::{
     CostAxis, Costs, Measure, Subject, TradeErrors, TradeOptions, TradeRow, rows_to_csv, trade_summary,
 };
@@ -52,7 +52,9 @@ pub(crate) struct Trading {
     pub cost: CostAxis,
     /// The vertical axis.
     pub measure: Measure,
-    folders: Latest<Same<Shelf>, Told<Arc<Vec<Resolved>>>>,
+    folders: Latest<Same<Shelf>, Told<Arc<Folder>>>,
+    /// What a person should know about the files of the folder on show.
+    remarks: Vec<String>,
     errors: Latest<(String, Vec<Resolved>, RgbSpace), Told<Arc<Traded>>>,
     chart: Latest<ChartAsked, Arc<Chart>>,
 }
@@ -110,6 +112,7 @@ impl Default for Trading {
             cost: CostAxis::default(),
             measure: Measure::default(),
             folders: Latest::default(),
+            remarks: Vec::new(),
             errors: Latest::default(),
             chart: Latest::default(),
         }
@@ -119,6 +122,11 @@ impl Default for Trading {
 impl Trading {
     pub(super) fn is_busy(&self) -> bool {
         self.folders.is_busy() || self.errors.is_busy() || self.chart.is_busy()
+    }
+
+    /// What a person should know about the materials.
+    pub(crate) fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// How much of a study of many materials is done, 0 to 1.
@@ -134,6 +142,7 @@ impl Trading {
         shelf: &Arc<Shelf>,
         (space, costs): (RgbSpace, &Costs),
     ) -> Option<Told<Arc<Chart>>> {
+        self.remarks.clear();
         let (name, materials) = match self.of {
             TradeOf::Metal => (self.metal.name.clone(), vec![Resolved::Metal(self.metal)]),
             TradeOf::Scene => (counted(scene.len(), "material"), scene),
@@ -142,17 +151,16 @@ impl Trading {
                 (counted(presets.len(), "preset"), presets.iter().map(Resolved::BuiltIn).collect())
             }
             TradeOf::Folder => match self.follow_folder(ctx, shelf)? {
-                Ok(presets) => (counted(presets.len(), "preset"), presets.to_vec()),
+                Ok(folder) => {
+                    self.remarks.clone_from(&folder.remarks);
+                    (counted(folder.presets.len(), "preset"), folder.presets.clone())
+                }
                 Err(error) => return Some(Err(error)),
             },
             TradeOf::AllMetals => ("All metals".to_owned(), preferred_metals().map(Resolved::Metal).collect()),
         };
         if materials.is_empty() {
-            let missing = match self.of {
-                TradeOf::Folder => "Open a folder of presets on the page Library",
-                _ => "There is no material in the plan",
-            };
-            return Some(Err(missing.to_owned()));
+            return Some(Err("There is no material in the plan".to_owned()));
         }
         let traded = self.errors.of(ctx, "trade", (name, materials, space), |(name, materials, space), progress| {
             let subjects: Vec<Subject> = materials.iter().map(Resolved::subject).collect();
@@ -168,24 +176,48 @@ impl Trading {
         self.chart.of(ctx, "trade chart", asked, |asked, _| Arc::new(Chart::of(&asked))).cloned().map(Ok)
     }
 
-    fn follow_folder(&mut self, ctx: &Context, shelf: &Arc<Shelf>) -> Option<Told<Arc<Vec<Resolved>>>> {
-        let read = |Same(shelf): Same<Shelf>, progress: &Progress| presets_of(&shelf, progress);
+    fn follow_folder(&mut self, ctx: &Context, shelf: &Arc<Shelf>) -> Option<Told<Arc<Folder>>> {
+        let read = |Same(shelf): Same<Shelf>, progress: &Progress| Folder::read(&shelf, progress);
         self.folders.of(ctx, "read presets", Same(shelf.clone()), read).cloned()
     }
 }
 
-/// The presets of a folder; a list holds too little of them.
-fn presets_of(shelf: &Shelf, progress: &Progress) -> Told<Arc<Vec<Resolved>>> {
-    let mut presets = Vec::new();
-    for (index, item) in shelf.items().iter().enumerate() {
-        if progress.report(index as f32 / shelf.items().len() as f32).is_break() {
-            return Err("Reading the folder was stopped".to_owned());
+/// The presets of a folder, and what a person should know about its files.
+#[derive(Default)]
+struct Folder {
+    presets: Vec<Resolved>,
+    remarks: Vec<String>,
+}
+
+impl Folder {
+    /// Reads the files: a list holds too little of them.
+    fn read(shelf: &Shelf, progress: &Progress) -> Told<Arc<Self>> {
+        if shelf.items().is_empty() {
+            return Err("Open a folder of presets on the page Library".to_owned());
         }
-        let loaded = Preset::load(&item.path);
-        // What is no preset is said on the page of the library.
-        presets.extend(loaded.ok().map(|loaded| Resolved::Preset(Arc::new(loaded.preset))));
+        let mut folder = Self::default();
+        for (index, item) in shelf.items().iter().enumerate() {
+            if progress.report(index as f32 / shelf.items().len() as f32).is_break() {
+                return Err("Reading the folder was stopped".to_owned());
+            }
+            match Preset::load(&item.path) {
+                Ok(loaded) => folder.add(loaded),
+                Err(error) => folder.remarks.push(format!("left out: {error}")),
+            }
+        }
+        if folder.presets.is_empty() {
+            Err("None of the folder's files is a preset".to_owned())
+        } else {
+            Ok(folder.into())
+        }
     }
-    Ok(Arc::new(presets))
+
+    fn add(&mut self, loaded: Loaded) {
+        self.remarks.extend(loaded.warnings);
+        let note = Subject::of_preset(&loaded.preset).1;
+        self.remarks.extend(note.map(|note| format!("{}: {note}", loaded.preset.name)));
+        self.presets.push(Resolved::Preset(Arc::new(loaded.preset)));
+    }
 }
 
 fn counted(count: usize, what: &str) -> String {

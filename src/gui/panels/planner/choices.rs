@@ -122,7 +122,8 @@ fn allowed(ui: &mut Ui, page: &mut PlannerPage) {
         row_label(ui, "Spare");
         let before = page.target;
         combo(ui, "What is spared", &mut page.target, &Spared::ALL.map(|target| (target, target.label())));
-        if page.target != before && page.target == Spared::Offline && !page.costs().has_times() {
+        let has_times = page.costs().has_times() || page.times_progress().is_some();
+        if page.target != before && page.target == Spared::Offline && !has_times {
             page.measure_times(ui.ctx());
         }
     });

@@ -18,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, state: &mut State) {
     let State { planner: page, document, library, .. } = state;
     match page.follow_chart(ui.ctx(), &document.preset, library.shelf()) {
         Some(Ok(chart)) => {
-            sentence(ui, &chart.summary, &[]);
+            sentence(ui, &chart.summary, page.trading.remarks());
             draw(ui, &chart);
         }
         Some(Err(error)) => {
