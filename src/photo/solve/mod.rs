@@ -57,9 +57,6 @@ pub fn solve(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<M
 }
 
 fn solve_marks(photo: &Photo, request: &MatchRequest, space: RgbSpace) -> Result<Match, MatchError> {
-    if request.circle.is_some() && request.cylinder.is_some() {
-        return Err(MatchError::TwoBodies);
-    }
     let view = View::of(photo, request)?;
     if request.mode == LightMode::FlatMirror {
         return mirror::solve_mirrors(&view, request, space);

@@ -8,7 +8,6 @@ use super::guard::mirrors_backdrop;
 use super::light::Light;
 use super::measured::Measured;
 use super::uncertainty::Uncertainty;
-
 use crate::color::{Rgb, RgbSpace};
 use crate::photo::{AreaStatistics, Card, LightMode, MatchRequest, Photo, Recipe, Warning};
 

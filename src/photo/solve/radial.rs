@@ -1,7 +1,7 @@
 //! Functions of the angle, read for every pixel.
 
 /// Equal steps of cos θ between which a function is straight: what it bends there is below 1e-5 for the weights of r
-/// and h.
+/// and h, and beyond 81.8° below 3e-5.
 const STEPS: usize = 1024;
 
 /// Where the functions of an angle are found: 1 + cos θ, below 2. The upper bits of its significand are the step.

@@ -108,12 +108,13 @@ impl Stratum {
                 sums[cell].add_run(1.0, spots, &self.weights);
             }
             for odd in &piece.odd {
-                sums[odd.cell].add_odd(1.0, odd, &self.weights);
+                sums[odd.cell].add_odd(odd, &self.weights);
             }
         })
     }
 
-    /// Takes the runs that hold outliers off the sums of all, and puts back what is left of them.
+    /// Takes the runs that hold outliers off the sums of all runs, and puts back what is left of them. Odd spots are
+    /// added anew.
     fn sums_without(&self, outliers: &Outliers, all: &[Sum]) -> Vec<Sum> {
         let expected = self.expected(outliers.curve);
         let limits = Limits::of(outliers.limits);
@@ -127,11 +128,11 @@ impl Stratum {
                     changes[cell].add_run(1.0, &kept, &self.weights);
                 }
             }
-            for odd in piece.odd.iter().filter(|odd| limits.are_exceeded(odd.spot, &expected)) {
-                changes[odd.cell].add_odd(-1.0, odd, &self.weights);
+            for odd in piece.odd.iter().filter(|odd| !limits.are_exceeded(odd.spot, &expected)) {
+                changes[odd.cell].add_odd(odd, &self.weights);
             }
         });
-        sums.iter_mut().zip(all).for_each(|(sum, all)| sum.plus(all));
+        sums.iter_mut().zip(all).for_each(|(sum, all)| sum.plus(&all.of_runs()));
         sums
     }
 
@@ -194,7 +195,8 @@ mod tests {
 
     const BALL: Circle = Circle::new(70.3, 68.9, 64.2);
 
-    /// A ball of two colours with noise, some lamps, a dark spot, clipped floats and values that are no numbers.
+    /// A ball of two colours with noise, some lamps, one of them beyond all bounds, a dark spot, clipped floats and
+    /// values that are no numbers.
     fn photo() -> Photo {
         let pixel = |i: u32| {
             let (column, row) = (i % 140, i / 140);
@@ -203,6 +205,7 @@ mod tests {
             let noise = 0.01 * (f64::from((i.wrapping_mul(2_654_435_761)) >> 20) / 4096.0 - 0.5);
             let metal = [0.6, 0.5, 0.4].map(|r| (weights.apply(r, r + 0.15) + noise) as f32);
             match i % 211 {
+                _ if [column, row] == [90, 80] => [1e20, metal[1], metal[2]],
                 0 => [f32::MAX, metal[1], metal[2]],
                 1 => [f32::NAN, metal[1], metal[2]],
                 2 => [3e7, metal[1], metal[2]],

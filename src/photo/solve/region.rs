@@ -21,7 +21,7 @@ pub(super) struct Region {
     shape: Shape,
     /// sin θ where a ring begins, and where the last one ends.
     rings: [f64; RINGS + 1],
-    /// One row in so many is read, the same ones whatever the outline.
+    /// One row in so many is read.
     row_step: u32,
 }
 
@@ -75,10 +75,6 @@ impl Shape {
 }
 
 impl Region {
-    /// Of a rectangle of more pixels than this every second row is read, or every third…: they are to stay in memory
-    /// while they are fitted, 16 bytes each.
-    const MOST_PIXELS: f64 = 6_000_000.0;
-
     /// The band of a body between two angles, up to `margin` inside its outline, as a share of the radius.
     pub fn band(body: Body, band_deg: Range<f64>, margin: f64) -> Self {
         let rho = |angle_deg: f64| angle_deg.to_radians().sin();
@@ -97,16 +93,36 @@ impl Region {
     }
 
     fn new(shape: Shape) -> Self {
-        let [_, _, width, height] = shape.bounds();
-        let row_step = (width * height / Self::MOST_PIXELS).ceil().max(1.0) as u32;
-        Self { shape, rings: shape.rings(), row_step }
+        Self { shape, rings: shape.rings(), row_step: 1 }
+    }
+
+    /// With few enough rows to stay in memory while they are fitted: 16 bytes for each pixel, 32 for one that some
+    /// channel cannot use.
+    pub fn in_memory(self, picture_size: [u32; 2]) -> Self {
+        /// Of a rectangle of more pixels than this every second row is read, or every third…
+        const MOST_PIXELS: usize = 6_000_000;
+        let [columns, rows] = self.pixel_ranges(picture_size);
+        let row_step = (columns.len() * rows.len()).div_ceil(MOST_PIXELS).max(1) as u32;
+        Self { row_step, ..self }
     }
 
     /// With as many pixels as a ball of 250 to 500 in radius has.
-    pub fn sparse(self) -> Self {
-        const ENOUGH_PX: f64 = 500.0;
-        let [_, _, width, height] = self.shape.bounds();
-        Self { row_step: ((width.min(height) / ENOUGH_PX) as u32).pow(2).max(self.row_step), ..self }
+    pub fn sparse(self, picture_size: [u32; 2]) -> Self {
+        const ENOUGH_PX: usize = 500;
+        let [columns, rows] = self.pixel_ranges(picture_size);
+        let times = (columns.len().min(rows.len()) / ENOUGH_PX) as u32;
+        Self { row_step: times.saturating_pow(2).max(self.row_step), ..self }
+    }
+
+    /// With one row in so many as another.
+    pub fn in_rows_of(self, other: Self) -> Self {
+        Self { row_step: other.row_step, ..self }
+    }
+
+    /// The columns and rows of a picture that its bounds may touch.
+    fn pixel_ranges(&self, [picture_width, picture_height]: [u32; 2]) -> [Range<u32>; 2] {
+        let [x, y, width, height] = self.shape.bounds();
+        [pixel_range(x, width, picture_width), pixel_range(y, height, picture_height)]
     }
 
     /// True for a band of a body, false for a picked area.
@@ -133,9 +149,9 @@ impl Region {
     }
 
     /// The rows of a picture that may hold pixels of it.
-    pub fn rows(&self, [_, picture_height]: [u32; 2]) -> impl Iterator<Item = u32> + use<> {
-        let ([_, y, _, height], row_step) = (self.shape.bounds(), self.row_step);
-        pixel_range(y, height, picture_height).filter(move |row| row % row_step == 0)
+    pub fn rows(&self, picture_size: [u32; 2]) -> impl Iterator<Item = u32> + use<> {
+        let ([_, rows], row_step) = (self.pixel_ranges(picture_size), self.row_step);
+        rows.filter(move |row| row % row_step == 0)
     }
 
     /// The pixels of a row, cut where cells end, from left to right.
@@ -177,9 +193,10 @@ impl Region {
         }
     }
 
+    /// `None` beyond the last ring, and everywhere where the margin leaves nothing: rings would descend there.
     fn ring(&self, rho: f64) -> Option<usize> {
-        let begun = self.rings.iter().filter(|start| rho >= **start).count();
-        (1..=RINGS).contains(&begun).then(|| begun - 1)
+        let is_in_one = self.rings[0] <= rho && rho < self.rings[RINGS];
+        is_in_one.then(|| self.rings[1..RINGS].iter().filter(|start| rho >= **start).count())
     }
 
     /// True when part of a picked area lies beside the body.
@@ -247,12 +264,23 @@ mod tests {
         assert!(farthest(55.0..83.0) <= 1.0 - 1.5 / 25.0);
     }
 
+    /// The margin of a small ball covers a band close to its rim: there is nothing to measure.
+    #[test]
+    fn a_band_within_the_margin_holds_nothing() {
+        let rim = |radius: f64| {
+            let ball = Body::Ball(Circle::new(30.0, 30.0, radius));
+            pixels(&Region::band(ball, 74.0..83.0, 1.5 / radius)).len()
+        };
+        assert_eq!([1.0, 8.0, 25.0].map(rim), [0; 3]);
+    }
+
     /// Stretches hold every pixel of a region, and each in the cell that its own place gives.
     #[test]
     fn stretches_hold_what_each_pixel_alone_gives() {
         let ball = Body::Ball(Circle::new(29.7, 31.2, 24.6));
+        let around_a_row = Body::Ball(Circle::new(29.7, 30.5, 24.6));
         let cylinder = Body::Cylinder(Cylinder::new([8.3, 12.1], [51.9, 44.7], 13.4));
-        for body in [ball, cylinder] {
+        for body in [ball, around_a_row, cylinder] {
             let margin = 1.5 / body.radius();
             let regions = [
                 Region::band(body, 0.0..40.0, margin),

@@ -30,15 +30,13 @@ impl Regions {
 
     /// A picked area where there is one, else the band of the ball.
     pub fn of(view: &View, request: &MatchRequest) -> Result<Self, MatchError> {
-        let regions = Self::with_body(request, request.body());
+        let regions = Self::with_body(request, request.body()).in_memory(view);
         if regions.inner.is_none() && regions.outer.is_none() {
             return Err(MatchError::NothingMarked);
         }
         for (region, what) in [(&regions.inner, "facing area"), (&regions.outer, "edge area")] {
             if let Some(region) = region
-                && region
-                    .rows([view.photo.width, view.photo.height])
-                    .all(|row| region.stretches(row, view.photo.width).is_empty())
+                && region.rows(view.size()).all(|row| region.stretches(row, view.photo.width).is_empty())
             {
                 let body = request.body().filter(|_| region.is_band());
                 return Err(MatchError::NoPixels { what: body.map_or(what, Body::noun) });
@@ -47,7 +45,7 @@ impl Regions {
         Ok(regions)
     }
 
-    /// The same regions for another outline: what an error of the radius does.
+    /// The regions of an outline, with all of their rows.
     pub fn with_body(request: &MatchRequest, body: Option<Body>) -> Self {
         let margin = margin(request, body);
         let region = |picked: Option<Area>, band_deg: Range<f64>, facing: CosTheta| match (picked, body) {
@@ -66,16 +64,24 @@ impl Regions {
     }
 
     /// The middle of a body, and all from 55° to its outline less the margin.
-    pub fn to_the_rim(body: Body) -> Self {
+    pub fn to_the_rim(view: &View, body: Body) -> Self {
         let band = |band_deg| Some(Region::band(body, band_deg, Self::RIM_MARGIN_PX / body.radius()));
-        Self { inner: band(INNER_DEG), outer: band(OUTER_DEG.start..90.0) }
+        Self { inner: band(INNER_DEG), outer: band(OUTER_DEG.start..90.0) }.in_memory(view)
     }
 
-    /// The same regions with fewer rows of large ones: enough for a difference between two fits, in which what the
-    /// pixels have in common cancels.
-    pub fn sparse(self) -> Self {
-        let sparse = |region: Option<Region>| region.map(Region::sparse);
-        Self { inner: sparse(self.inner), outer: sparse(self.outer) }
+    /// The regions of another outline of the body, for what an error of the radius does. Of large ones fewer rows are
+    /// read, the same for every outline: what their pixels have in common cancels in a difference.
+    pub fn of_another(&self, outline: Body, request: &MatchRequest, picture_size: [u32; 2]) -> Self {
+        let in_rows_of = |region: Option<Region>, nominal: Option<Region>| {
+            region.zip(nominal).map(|(region, nominal)| region.in_rows_of(nominal.sparse(picture_size)))
+        };
+        let Self { inner, outer } = Self::with_body(request, Some(outline));
+        Self { inner: in_rows_of(inner, self.inner), outer: in_rows_of(outer, self.outer) }
+    }
+
+    fn in_memory(self, view: &View) -> Self {
+        let in_memory = |region: Option<Region>| region.map(|region| region.in_memory(view.size()));
+        Self { inner: in_memory(self.inner), outer: in_memory(self.outer) }
     }
 }
 
@@ -91,20 +97,49 @@ mod tests {
     use super::*;
     use crate::photo::Circle;
 
-    fn rows(radius: f64) -> [usize; 2] {
-        let request = MatchRequest { circle: Some(Circle::new(radius, radius, radius)), ..MatchRequest::default() };
-        let size = (2.0 * radius) as u32;
-        let count = |regions: Regions| regions.inner.unwrap().rows([size, size]).count();
-        let regions = || Regions::with_body(&request, request.body());
-        [count(regions()), count(regions().sparse())]
+    fn middle_of_ball(radius: f64) -> Region {
+        let request = MatchRequest { circle: Some(Circle::new(2000.0, 2000.0, radius)), ..MatchRequest::default() };
+        Regions::with_body(&request, request.body()).inner.unwrap()
     }
 
     /// A megapixel and four are read whole; of a ball of more than that some rows, and for a difference fewer still.
     #[test]
     fn every_row_is_read_unless_the_ball_is_very_large() {
+        let rows = |radius: f64| {
+            let size = [4000; 2];
+            let region = middle_of_ball(radius).in_memory(size);
+            [region, region.sparse(size)].map(|region| region.rows(size).count())
+        };
         assert_eq!(rows(200.0), [400, 400]);
         assert_eq!(rows(564.0), [1128, 282]);
         assert_eq!(rows(1200.0), [2400, 150]);
         assert_eq!(rows(2000.0), [4000 / 3 + 1, 63]);
+    }
+
+    /// Where the number of rows would jump with the radius, too, a difference rests on the same ones.
+    #[test]
+    fn outlines_that_differ_are_read_in_the_same_rows() {
+        let circle = Circle::new(2000.0, 2000.0, 750.0);
+        let request = MatchRequest { circle: Some(circle), ..MatchRequest::default() };
+        let (body, size) = (Body::Ball(circle), [4000; 2]);
+        let nominal = Regions::with_body(&request, Some(body));
+        let [smaller, larger] = [749.5, 750.5].map(|radius| {
+            let regions = nominal.of_another(body.with_radius(radius), &request, size);
+            regions.outer.unwrap().rows(size).collect::<Vec<_>>()
+        });
+        let beside = larger.iter().filter(|row| !smaller.contains(row)).count();
+        assert!(smaller.iter().all(|row| larger.contains(row)) && beside <= 2, "{smaller:?} {larger:?}");
+    }
+
+    /// How much of an area lies beside the picture says nothing about how many rows there are to read.
+    #[test]
+    fn an_area_far_beyond_the_picture_is_read_in_it() {
+        let size = [60, 60];
+        let rows = |area: Area| {
+            let region = Region::flat(area, CosTheta::MAX).in_memory(size);
+            [region, region.sparse(size)].map(|region| region.rows(size).count())
+        };
+        assert_eq!(rows(Area::rectangle(-1e9, 5.0, 2e9, 2.0)), [2, 2]);
+        assert_eq!(rows(Area::rectangle(-1e9, -1e9, 2e9, 2e9)), [60, 60]);
     }
 }

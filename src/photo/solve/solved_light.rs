@@ -26,7 +26,7 @@ pub(super) fn solved_light(view: &View, request: &MatchRequest) -> Result<Light,
         return Err(MatchError::needs(request.mode, needs));
     }
     let colour = request.light.filter(|light| light.is_finite() && light.min_channel() > 0.0).unwrap_or(Rgb::WHITE);
-    let regions = Regions::to_the_rim(body);
+    let regions = Regions::to_the_rim(view, body);
     let cells = Readings::of(view, &regions, &Light::even(colour.0.map(Some), [0.0; 3])).sums().cells();
     let weights = cells.each_ref().map(|cells| first_weights(cells));
     let level = solve(&cells, &weights).ok_or(MatchError::DarkReference { what: "ball" })?;

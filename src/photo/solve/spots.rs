@@ -62,7 +62,7 @@ pub(super) struct Piece {
 /// Reads a region under a light, in the same pieces whatever the number of threads, so that sums round alike.
 pub(super) fn read(view: &View, region: &Region, light: &Light) -> Vec<Piece> {
     const ROWS: usize = 32;
-    let rows: Vec<u32> = region.rows([view.photo.width, view.photo.height]).collect();
+    let rows: Vec<u32> = region.rows(view.size()).collect();
     rows.par_chunks(ROWS).map(|rows| Piece::read(view, region, light, rows)).collect()
 }
 

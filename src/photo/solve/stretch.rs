@@ -38,11 +38,11 @@ pub(super) fn crossings_of_ball(ball: Circle, rings: &[f64], sectors: usize, y: 
         let half = ((rho * ball.radius).powi(2) - down * down).sqrt();
         [ball.x - half, ball.x + half]
     };
-    // Sectors lie opposite each other: half as many lines part them, the first along the row.
+    // Sectors lie opposite each other: half as many lines part them, the first along the row. In the row of the
+    // centre all the others cross at the centre.
     let lines = sectors / 2;
     let of_line = |line: usize| ball.x + down / (PI * line as f64 / lines as f64).tan();
-    let along_the_row = (sectors > 0 && down == 0.0).then_some(ball.x);
-    rings.iter().flat_map(of_ring).chain((1..lines).map(of_line)).chain(along_the_row).collect()
+    rings.iter().flat_map(of_ring).chain((1..lines).map(of_line)).collect()
 }
 
 /// Where a row crosses lines along a cylinder at these distances from its axis, as shares of its radius, the axis, and

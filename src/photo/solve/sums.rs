@@ -10,12 +10,14 @@ pub(super) trait Plus {
     fn plus(&mut self, other: &Self);
 }
 
-/// Sums over the spots of a cell: of those that every channel can use together, of others for each channel.
+/// Sums over the spots of a cell: of runs for all channels together, of odd spots for each channel. They stay apart,
+/// since an odd spot may be so bright that no digit of the others would be left.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Sum {
-    whole: Angles,
-    partial: [Angles; 3],
-    reflectance: [f64; 3],
+    runs: Angles,
+    reflectance_of_runs: [f64; 3],
+    odd: [Angles; 3],
+    reflectance_of_odd: [f64; 3],
 }
 
 /// How many spots, and the sums of what their angles give.
@@ -38,30 +40,35 @@ impl Sum {
             (0..2).for_each(|i| of_angles[i] += weights[i]);
         }
         let [red, green, blue, places] = values.map(f64::from);
-        self.whole.add(times, spots.len() as f64, of_angles.map(f64::from), places);
-        self.reflectance.iter_mut().zip([red, green, blue]).for_each(|(sum, value)| *sum += times * value);
+        self.runs.add(times, spots.len() as f64, of_angles.map(f64::from), places);
+        self.reflectance_of_runs.iter_mut().zip([red, green, blue]).for_each(|(sum, value)| *sum += times * value);
     }
 
-    /// Adds `times` a spot to the channels that can use it.
-    pub fn add_odd(&mut self, times: f64, odd: &OddSpot, weights: &Radial<2>) {
+    /// Adds a spot to the channels that can use it.
+    pub fn add_odd(&mut self, odd: &OddSpot, weights: &Radial<2>) {
         let of_angle = weights.at(odd.spot.place()).map(f64::from);
         for channel in (0..3).filter(|channel| odd.is_usable[*channel]) {
-            self.partial[channel].add(times, 1.0, of_angle, odd.spot.place().into());
-            self.reflectance[channel] += times * f64::from(odd.spot.0[channel]);
+            self.odd[channel].add(1.0, 1.0, of_angle, odd.spot.place().into());
+            self.reflectance_of_odd[channel] += f64::from(odd.spot.0[channel]);
         }
+    }
+
+    /// Without the odd spots.
+    pub fn of_runs(&self) -> Self {
+        Self { runs: self.runs, reflectance_of_runs: self.reflectance_of_runs, ..Self::default() }
     }
 
     /// The means of a channel, of a cell that knows its number alone; `None` where no spot is left.
     pub fn mean(&self, channel: usize) -> Option<Cell> {
-        let mut angles = self.whole;
-        angles.plus(&self.partial[channel]);
+        let mut angles = self.runs;
+        angles.plus(&self.odd[channel]);
         let Angles { count, of_r, of_h, cosine } = angles;
         (count > 0.0).then(|| Cell {
             stratum: 0,
             block: 0,
             ring: 0,
             count: count as usize,
-            reflectance: self.reflectance[channel] / count,
+            reflectance: (self.reflectance_of_runs[channel] + self.reflectance_of_odd[channel]) / count,
             weights: Weights { of_r: of_r / count, of_h: of_h / count, of_white: (count - of_r - of_h) / count },
             cosine: cosine / count,
         })
@@ -90,9 +97,12 @@ impl Plus for Angles {
 
 impl Plus for Sum {
     fn plus(&mut self, other: &Self) {
-        self.whole.plus(&other.whole);
-        self.partial.iter_mut().zip(&other.partial).for_each(|(sum, other)| sum.plus(other));
-        self.reflectance.iter_mut().zip(other.reflectance).for_each(|(sum, value)| *sum += value);
+        self.runs.plus(&other.runs);
+        for channel in 0..3 {
+            self.odd[channel].plus(&other.odd[channel]);
+            self.reflectance_of_runs[channel] += other.reflectance_of_runs[channel];
+            self.reflectance_of_odd[channel] += other.reflectance_of_odd[channel];
+        }
     }
 }
 

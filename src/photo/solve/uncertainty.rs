@@ -9,7 +9,6 @@ use super::readings::Readings;
 use super::region::RINGS;
 use super::regions::Regions;
 use super::view::View;
-
 use crate::photo::statistics::jackknife_error;
 use crate::photo::{LightMode, MatchRequest};
 
@@ -37,7 +36,7 @@ pub(super) fn of(
         sample: each(&|i| of_sample(&measured.kept[i], &measured.curve.fits[i], regions)),
         model: each(&|i| of_model(&measured.kept[i], &measured.curve.fits[i])),
         light: each(&|i| of_light(&measured.kept[i], &measured.curve.fits[i], regions, light.relative_uncertainty[i])),
-        angle: of_angle(view, request, light),
+        angle: of_angle(view, request, regions, light),
         transfer: each(&transfer),
     };
     Uncertainty { budget, is_estimate: view.is_estimate() || request.mode == LightMode::ByEye }
@@ -104,11 +103,11 @@ fn of_light(cells: &[Cell], fit: &BallFit, regions: &Regions, relative: f64) -> 
 }
 
 /// Half the difference between fits with the radius larger and smaller by its uncertainty.
-fn of_angle(view: &View, request: &MatchRequest, light: &Light) -> [[f64; 2]; 3] {
+fn of_angle(view: &View, request: &MatchRequest, regions: &Regions, light: &Light) -> [[f64; 2]; 3] {
     let Some(body) = request.body() else { return [[0.0; 2]; 3] };
     let error = request.radius_uncertainty_px().min(body.radius() / 2.0);
     let fits = [-error, error].map(|change| {
-        let regions = Regions::with_body(request, Some(body.with_radius(body.radius() + change))).sparse();
+        let regions = regions.of_another(body.with_radius(body.radius() + change), request, view.size());
         fit_metal(&Readings::of(view, &regions, light).sums().cells(), &regions).0.fits
     });
     let [smaller, larger] = &fits;

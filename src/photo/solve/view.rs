@@ -14,13 +14,22 @@ pub(super) struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    /// Through the request's grey patches, if it has any.
+    /// Through the request's grey patches, if it has any. Everything that reads marks begins here, so that two outlines
+    /// are refused here.
     pub fn of(photo: &'a Photo, request: &MatchRequest) -> Result<Self, MatchError> {
+        if request.circle.is_some() && request.cylinder.is_some() {
+            return Err(MatchError::TwoBodies);
+        }
         let tone = match request.greys.as_slice() {
             [] => None,
             greys => Some(ToneCurve::through(photo, greys).ok_or(MatchError::Greys)?),
         };
         Ok(Self { photo, tone })
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        [self.photo.width, self.photo.height]
     }
 
     /// The pixel in a column and row; `None` outside.
