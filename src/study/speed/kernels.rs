@@ -339,7 +339,7 @@ impl Field<'_> {
             return;
         }
         let (level, cosines, mut out) = (self.level, cosines(VALUES), planes(VALUES));
-        let textures = parameters.map(|rgb| rgb.0.map(|value| vec![value as f32; VALUES]));
+        let textures = parameters.map(|rgb| rgb.0.map(|value| buffer((0..VALUES).map(|_| value as f32))));
         let costs = (Some(12 * P), Some(Operations::of(form)));
         self.add((name, kind, PIXEL), costs, VALUES, move || {
             let textures = textures.each_ref().map(|planes| planes.each_ref().map(Vec::as_slice));
@@ -446,26 +446,34 @@ fn values_of(operations: Operations) -> usize {
     if operations.roots > 100 { VALUES_OF_MANY } else { VALUES }
 }
 
+/// Numbers in memory of their own. The room beyond them keeps one buffer from lying a page's size after another: then a
+/// processor takes what it loads for what it has just stored elsewhere, and waits.
+fn buffer(values: impl ExactSizeIterator<Item = f32>) -> Vec<f32> {
+    const ROOM: usize = 272;
+    let mut buffer = Vec::with_capacity(values.len() + ROOM);
+    buffer.extend(values);
+    buffer
+}
+
 /// Cosines from 0 to 1 in no order.
 fn cosines(values: usize) -> Vec<f32> {
-    (0..values).map(|i| ((i * 7919) % values) as f32 / values as f32).collect()
+    buffer((0..values).map(|i| ((i * 7919) % values) as f32 / values as f32))
 }
 
 fn planes(values: usize) -> [Vec<f32>; 3] {
-    [(); 3].map(|()| vec![0.0; values])
+    [(); 3].map(|()| buffer((0..values).map(|_| 0.0)))
 }
 
 /// Colours of every lightness.
 fn colours() -> [Vec<f32>; 3] {
-    [1.0, 0.8, 0.3].map(|share: f32| cosines(VALUES).into_iter().map(|c| c * share).collect())
+    [1.0, 0.8, 0.3].map(|share: f32| buffer(cosines(VALUES).into_iter().map(|c| c * share)))
 }
 
 /// L*, a* and b* of colours and of others nearby.
 fn labs() -> [[Vec<f32>; 3]; 2] {
     let lab = |shift: f32| {
-        [(100.0, 0.0), (60.0, -30.0), (-50.0, 40.0)].map(|(scale, offset): (f32, f32)| {
-            cosines(VALUES).into_iter().map(|c| c * scale + offset + shift).collect()
-        })
+        [(100.0, 0.0), (60.0, -30.0), (-50.0, 40.0)]
+            .map(|(scale, offset): (f32, f32)| buffer(cosines(VALUES).into_iter().map(|c| c * scale + offset + shift)))
     };
     [lab(0.0), lab(0.7)]
 }
