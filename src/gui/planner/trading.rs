@@ -53,8 +53,8 @@ pub(crate) struct Trading {
     /// The vertical axis.
     pub measure: Measure,
     folders: Latest<Same<Shelf>, Told<Arc<Folder>>>,
-    /// What a person should know about the files of the folder on show.
-    remarks: Vec<String>,
+    /// The folder on show.
+    folder: Option<Arc<Folder>>,
     errors: Latest<(String, Vec<Resolved>, RgbSpace), Told<Arc<Traded>>>,
     chart: Latest<ChartAsked, Arc<Chart>>,
 }
@@ -112,7 +112,7 @@ impl Default for Trading {
             cost: CostAxis::default(),
             measure: Measure::default(),
             folders: Latest::default(),
-            remarks: Vec::new(),
+            folder: None,
             errors: Latest::default(),
             chart: Latest::default(),
         }
@@ -126,7 +126,7 @@ impl Trading {
 
     /// What a person should know about the materials.
     pub(crate) fn remarks(&self) -> &[String] {
-        &self.remarks
+        self.folder.as_ref().map(|folder| folder.remarks.as_slice()).unwrap_or_default()
     }
 
     /// How much of a study of many materials is done, 0 to 1.
@@ -142,7 +142,7 @@ impl Trading {
         shelf: &Arc<Shelf>,
         (space, costs): (RgbSpace, &Costs),
     ) -> Option<Told<Arc<Chart>>> {
-        self.remarks.clear();
+        self.folder = None;
         let (name, materials) = match self.of {
             TradeOf::Metal => (self.metal.name.clone(), vec![Resolved::Metal(self.metal)]),
             TradeOf::Scene => (counted(scene.len(), "material"), scene),
@@ -152,8 +152,9 @@ impl Trading {
             }
             TradeOf::Folder => match self.follow_folder(ctx, shelf)? {
                 Ok(folder) => {
-                    self.remarks.clone_from(&folder.remarks);
-                    (counted(folder.presets.len(), "preset"), folder.presets.clone())
+                    let presets = folder.presets.clone();
+                    self.folder = Some(folder);
+                    (counted(presets.len(), "preset"), presets)
                 }
                 Err(error) => return Some(Err(error)),
             },
