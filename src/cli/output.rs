@@ -210,7 +210,7 @@ impl Table {
 
     /// Adds a row with one cell for each column.
     pub fn push(&mut self, row: Vec<Cell>) {
-        debug_assert_eq!(row.len(), self.columns.len(), "one cell for each column");
+        assert_eq!(row.len(), self.columns.len(), "one cell for each column");
         self.rows.push(row);
     }
 

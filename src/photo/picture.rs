@@ -148,7 +148,7 @@ impl Photo {
     }
 
     pub(super) fn new(name: &str, sha256: String, colour_rule: ColourRule, stored: Stored) -> Self {
-        debug_assert_eq!(stored.samples.len(), stored.size[0] as usize * stored.size[1] as usize * stored.channels);
+        assert_eq!(stored.samples.len(), stored.size[0] as usize * stored.size[1] as usize * stored.channels);
         let [width, height] = stored.orientation.size(stored.size);
         let (layers, warnings) = (Vec::new(), Vec::new());
         Self { name: name.to_owned(), sha256, width, height, colour_rule, layers, warnings, stored: stored.into() }

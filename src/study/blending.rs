@@ -90,7 +90,7 @@ struct Ends<'a> {
 
 impl<'a> Ends<'a> {
     fn new(a: &'a Contestants, b: &'a Contestants, parameters: Parameters) -> Self {
-        debug_assert_eq!(a.space, b.space, "blending mixes numbers of one space");
+        assert_eq!(a.space, b.space, "blending mixes numbers of one space");
         Self { curves: [a.pair(parameters).curve(), b.pair(parameters).curve()], a, b, parameters }
     }
 

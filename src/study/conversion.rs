@@ -79,7 +79,7 @@ pub fn conversion(subject: &Subject<'_>, options: &ConversionOptions) -> Result<
 
 /// Converts contestants that are known already; they must be in the space the options start from.
 pub fn conversion_of(contestants: &Contestants, options: &ConversionOptions) -> ColourConversion {
-    debug_assert_eq!(contestants.space, options.from, "contestants of the space the options name");
+    assert_eq!(contestants.space, options.from, "contestants of the space the options name");
     let there = options.from.matrix_to(options.to);
     let back = options.to.matrix_to(options.from);
     let truth: Vec<Rgb> = contestants.truth.iter().map(|rgb| transformed(&there, *rgb)).collect();

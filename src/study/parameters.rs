@@ -125,7 +125,7 @@ impl Pair {
 
     /// Both triples blended with those of another pair of the same parameters, as a texture filter does.
     pub fn lerp(self, other: Self, weight: f64) -> Self {
-        debug_assert_eq!(self.parameters, other.parameters, "h blends with h, g with g");
+        assert_eq!(self.parameters, other.parameters, "h blends with h, g with g");
         Self {
             first: self.first.lerp(other.first, weight),
             edge: self.edge.lerp(other.edge, weight),

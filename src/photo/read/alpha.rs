@@ -58,7 +58,7 @@ impl AlphaSample for f16 {
 impl<T: AlphaSample> Opaque<T> {
     /// Starts with room for the colours; `channels` counts alpha.
     pub fn new(room: Vec<T>, channels: usize, is_premultiplied: bool) -> Self {
-        debug_assert!((1..=4).contains(&channels));
+        assert!((1..=4).contains(&channels));
         Self { samples: room, channels, is_premultiplied, transparent: 0 }
     }
 
