@@ -1,67 +1,51 @@
-//! The exact Fresnel reflectance of a conductor, with one division and no cancellation.
-//!
-//! With ε − sin²θ = e + 2 i n k of modulus z, whose root a + i b has the larger part q, and t1 = (z + c²) q,
-//! t3 = (z c² + s⁴) q, T = 2 c a q: F = (t1 − T) t3 / ((t1 + T)(t3 + T s²)), and 1 − F = T (2 t3 + s² (t1 + T)) over
-//! the same, a sum of what is positive. It rests on 1 + (t3 − t4)/(t3 + t4) = 2 t3/(t3 + t4), which saves a division,
-//! and on everything being multiplied by q, so that a = n k/b needs none either: a q is the larger of a b = n k and
-//! a² = (z + e)/2. Where e is negative and a² cancels, it is taken a little too small, so that n k is the larger.
-//!
-//! z, e, c² and s⁴ are halved, which is exact and saves two products; c3 = 1/max(1, n, k) keeps all in 32 bits. For
-//! n² − k² < 1/2, e is taken as (n² − k²) − sin²θ: next to n = k = 0 the other sum, (n² − k² − 1) + c², cancels.
+//! Exact reflectance of a conductor and of a dielectric, and what a conductor absorbs.
 
+use super::index::{
+    Angle, AnyIndex, Constants, Index as _, LARGEST, MIRROR, Metal, Modulus, NO_ZERO, are_of_metal, constants,
+    constants_of_metal, sine_squared,
+};
 use super::{Form, Material, Real};
 use crate::color::Rgb;
 use crate::fresnel::{Nk, nk_from_r_g};
 
-/// The largest n or k: beyond it the fourth power leaves 32 bits. F is 1 there but for a hair's breadth of grazing.
-const LARGEST: f64 = 1e9;
-
 /// F of one material.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conductor;
+pub struct Conductor {
+    is_metal: bool,
+}
 
 /// F and 1 − F of one material: what fifty bounces or a plot near 90° need, where a difference is empty.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConductorAndAbsorption;
+pub struct ConductorAndAbsorption {
+    is_metal: bool,
+}
 
 impl Conductor {
+    /// For any index: what a shader that does not know its n and k computes.
+    pub const OF_ANY_INDEX: Self = Self { is_metal: false };
+
     /// n and k of each channel; negative ones are held at 0, those beyond 1e9 there.
     pub fn material(n: Rgb, k: Rgb) -> Material<Self, 6> {
-        Material::new(Self, std::array::from_fn(|i| constants(n[i], k[i])))
+        Self::with(std::array::from_fn(|i| constants(n[i], k[i])))
     }
 
     /// The conductor that r and g stand for: r is held in 0 to 1 and g in 0 to 1, and r = 1 is a mirror.
     pub fn gulbrandsen(r: Rgb, g: Rgb) -> Material<Self, 6> {
-        Material::new(Self, std::array::from_fn(|i| constants_of_r_g(r[i], g[i])))
+        Self::with(std::array::from_fn(|i| constants_of_r_g(r[i], g[i])))
+    }
+
+    fn with(channels: [Constants<f64>; 3]) -> Material<Self, 6> {
+        Material::new(Self { is_metal: channels.iter().all(are_of_metal) }, channels)
     }
 }
 
 impl ConductorAndAbsorption {
     /// n and k of each channel; negative ones are held at 0, those beyond 1e9 there.
     pub fn material(n: Rgb, k: Rgb) -> Material<Self, 6, 2> {
-        Material::new(Self, std::array::from_fn(|i| constants(n[i], k[i])))
+        let channels = std::array::from_fn(|i| constants(n[i], k[i]));
+        Material::new(Self { is_metal: channels.iter().all(are_of_metal) }, channels)
     }
 }
-
-/// Half of n² − k² or of n² − k² − 1, how often c² and sin² are to be added to that, (n k)², n k and c3 of an index; no
-/// index at all, n = k = 0, is a mirror as in [`crate::fresnel::conductor`].
-pub(super) fn constants(n: f64, k: f64) -> [f64; 6] {
-    let (n, k) = (n.clamp(0.0, LARGEST), k.clamp(0.0, LARGEST));
-    if n == 0.0 && k == 0.0 {
-        return MIRROR;
-    }
-    let c3 = 1.0 / n.max(k).max(1.0);
-    let real = (n - k) * (n + k);
-    let (base, of_c2, of_s2) = if real < 0.5 { (real, 0.0, -1.0) } else { ((n - 1.0) * (n + 1.0) - k * k, 1.0, 0.0) };
-    [0.5 * base, of_c2, of_s2, (n * k).powi(2).max(NO_ZERO), n * k, c3]
-}
-
-/// The least (n k)². It keeps z from 0, so that air in air at 90° and the critical angle are no 0/0, and is too small
-/// to be seen in any sum of 32 bits.
-const NO_ZERO: f64 = 1e-36;
-
-/// n = 0 and k = 1: F is 1 at every angle.
-const MIRROR: [f64; 6] = [-0.5, 0.0, -1.0, NO_ZERO, 0.0, 1.0];
 
 fn constants_of_r_g(r: f64, g: f64) -> [f64; 6] {
     if r.is_nan() || g.is_nan() {
@@ -70,101 +54,51 @@ fn constants_of_r_g(r: f64, g: f64) -> [f64; 6] {
     nk_from_r_g(r.max(0.0), g.clamp(0.0, 1.0)).map_or(MIRROR, |Nk { n, k }| constants(n, k))
 }
 
-/// c, c² and sin², and halves of them and of sin⁴.
-#[derive(Clone, Copy, Debug)]
-pub struct Angle<T> {
-    c: T,
-    c2: T,
-    s2: T,
-    half_c2: T,
-    half_s2: T,
-    half_s4: T,
-}
-
-impl<T: Real> Angle<T> {
-    #[inline(always)]
-    pub(super) fn of(c: T) -> Self {
-        let (one, half) = (c.of(1.0), c.of(0.5));
-        let (c2, s2) = (c * c, sine_squared(c, one));
-        let half_s2 = s2 * half;
-        Self { c, c2, s2, half_c2: c2 * half, half_s2, half_s4: s2 * half_s2 }
-    }
-
-    /// The parts that F and 1 − F are made of, from the constants of an index.
-    #[inline(always)]
-    pub(super) fn parts(self, [base, of_c2, of_s2, nk2, nk, c3]: [T; 6]) -> Parts<T> {
-        let real = of_c2.mul_add(self.half_c2, of_s2.mul_add(self.half_s2, base));
-        self.parts_of(real, nk2, nk, c3)
-    }
-
-    /// The same from half of e and the rest of the constants.
-    #[inline(always)]
-    fn parts_of(self, real: T, nk2: T, nk: T, c3: T) -> Parts<T> {
-        let z = real.mul_add(real, nk2).sqrt();
-        let q = (z + real.abs()).sqrt() * c3;
-        // A unit in the last place more of a negative part than rounding can have put into z.
-        let aq = real.mul_add(real.above_one(), z).larger(nk);
-        let t = self.c * c3 * aq;
-        let t1 = (z + self.half_c2) * q;
-        let t3 = z.mul_add(self.c2, self.half_s4) * q;
-        Parts { t, t1, t3, s2: self.s2 }
-    }
-}
-
-/// sin² of the angle with cosine c, without cancellation at 0°.
-#[inline(always)]
-fn sine_squared<T: Real>(c: T, one: T) -> T {
-    (one - c) * (one + c)
-}
-
-/// See the head of this file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Parts<T> {
-    t: T,
-    t1: T,
-    t3: T,
-    s2: T,
-}
-
-impl<T: Real> Parts<T> {
-    #[inline(always)]
-    pub(super) fn reflectance(self) -> T {
-        (self.t1 - self.t) * self.t3 / ((self.t1 + self.t) * self.t.mul_add(self.s2, self.t3))
-    }
-
-    #[inline(always)]
-    fn reflectance_and_absorption(self) -> [T; 2] {
-        let sum = self.t1 + self.t;
-        let share = self.t.of(1.0) / (sum * self.t.mul_add(self.s2, self.t3));
-        [(self.t1 - self.t) * self.t3 * share, self.t * (self.s2.mul_add(sum, self.t3 + self.t3)) * share]
-    }
-}
-
 impl Form<6> for Conductor {
     type Shared<T: Real> = Angle<T>;
 
     #[inline(always)]
+    fn decided<R>(self, run: impl FnOnce(Self) -> R) -> R {
+        if self.is_metal { run(Self { is_metal: true }) } else { run(Self { is_metal: false }) }
+    }
+
+    #[inline(always)]
     fn shared<T: Real>(self, c: T) -> Angle<T> {
         Angle::of(c)
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 6]) -> [T; 1] {
-        [angle.parts(constants).reflectance()]
+    fn channel<T: Real>(self, angle: Angle<T>, constants: Constants<T>) -> [T; 1] {
+        let parts = if self.is_metal {
+            Metal::of(constants_of_metal(constants)).parts_at(angle)
+        } else {
+            AnyIndex::of(constants).parts_at(angle)
+        };
+        [parts.reflectance()]
     }
 }
 
 impl Form<6, 2> for ConductorAndAbsorption {
-    type Shared<T: Real> = Angle<T>;
+    /// The angle, and for metals c² sin².
+    type Shared<T: Real> = (Angle<T>, Option<T>);
 
     #[inline(always)]
-    fn shared<T: Real>(self, c: T) -> Angle<T> {
-        Angle::of(c)
+    fn decided<R>(self, run: impl FnOnce(Self) -> R) -> R {
+        if self.is_metal { run(Self { is_metal: true }) } else { run(Self { is_metal: false }) }
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, angle: Angle<T>, constants: [T; 6]) -> [T; 2] {
-        angle.parts(constants).reflectance_and_absorption()
+    fn shared<T: Real>(self, c: T) -> (Angle<T>, Option<T>) {
+        let angle = Angle::of(c);
+        (angle, if self.is_metal { Some(angle.c2_s2()) } else { None })
+    }
+
+    #[inline(always)]
+    fn channel<T: Real>(self, (angle, of_metal): (Angle<T>, Option<T>), constants: Constants<T>) -> [T; 2] {
+        match of_metal {
+            Some(c2_s2) => Metal::of(constants_of_metal(constants)).reflectance_and_absorption(angle, c2_s2),
+            None => AnyIndex::of(constants).parts_at(angle).reflectance_and_absorption(),
+        }
     }
 }
 
@@ -187,7 +121,7 @@ impl Form<2> for ConductorOfPixels {
             |value| value.limited(0.0, 1e6),
         );
         let one = n.of(1.0);
-        [angle.of_pixel((n - one) * (n + one) - k * k, n * k, one)]
+        [of_pixel(angle, (n - one) * (n + one) - k * k, n * k, one)]
     }
 }
 
@@ -209,7 +143,7 @@ impl Form<2> for GulbrandsenOfPixels {
     #[inline(always)]
     fn channel<T: Real>(self, angle: Angle<T>, [r, g]: [T; 2]) -> [T; 1] {
         let Index { n, k, c0, u } = Index::of_r_g(r, g);
-        [angle.of_pixel(c0, n * k, u)]
+        [of_pixel(angle, c0, n * k, u)]
     }
 }
 
@@ -238,16 +172,15 @@ impl<T: Real> Index<T> {
     }
 }
 
-impl<T: Real> Angle<T> {
-    /// F of an index, by any c3 with which n c3 and k c3 are about 1 where n or k is large: no division for it.
-    #[inline(always)]
-    fn of_pixel(self, c0: T, nk: T, c3: T) -> T {
-        let real = c0.mul_add(c0.of(0.5), self.half_c2);
-        self.parts_of(real, nk.mul_add(nk, nk.of(NO_ZERO)), nk, c3).reflectance()
-    }
+/// F of n² − k² − 1 and n k, by any c3 with which n c3 and k c3 are about 1 where n or k is large: no division for it.
+#[inline(always)]
+fn of_pixel<T: Real>(angle: Angle<T>, c0: T, nk: T, c3: T) -> T {
+    let e = c0.mul_add(c0.of(0.5), angle.half_c2);
+    Modulus::of(e, nk.mul_add(nk, nk.of(NO_ZERO))).root(nk, c3).parts(angle, c3).reflectance()
 }
 
-/// F of one dielectric, k = 0, where the conductor's form keeps only an absolute error: from n² − 1.
+/// F of one dielectric, k = 0, where the conductor's form keeps only an absolute error: from n² − 1. The square of what
+/// Snell's law makes of c is n² − sin² for n² < 1/2 and (n² − 1) + c² else, so that neither cancels at the critical angle.
 ///
 /// Total reflection for n < 1 beyond the critical angle, F = 1; air in air, n = 1, has F = 0 also at 90°.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -255,18 +188,19 @@ pub struct Dielectric;
 
 impl Dielectric {
     /// n of each channel; negative ones are held at 0, those beyond 1e9 there.
-    pub fn material(n: Rgb) -> Material<Self, 1> {
-        Material::new(
-            Self,
-            n.0.map(|n| {
-                let n = n.clamp(0.0, LARGEST);
-                [(n - 1.0) * (n + 1.0)]
-            }),
-        )
+    pub fn material(n: Rgb) -> Material<Self, 4> {
+        Material::new(Self, n.0.map(constants_of_dielectric))
     }
 }
 
-impl Form<1> for Dielectric {
+/// n² − 1, what the square begins with, and how often c and sin² are in it.
+fn constants_of_dielectric(n: f64) -> [f64; 4] {
+    let n = n.clamp(0.0, LARGEST);
+    let e = (n - 1.0) * (n + 1.0);
+    if n * n < 0.5 { [e, n * n, 0.0, -1.0] } else { [e, e, 1.0, 0.0] }
+}
+
+impl Form<4> for Dielectric {
     type Shared<T: Real> = (T, T);
 
     #[inline(always)]
@@ -275,9 +209,9 @@ impl Form<1> for Dielectric {
     }
 
     #[inline(always)]
-    fn channel<T: Real>(self, (c, s2): (T, T), [e]: [T; 1]) -> [T; 1] {
+    fn channel<T: Real>(self, (c, s2): (T, T), [e, base, of_c, of_s2]: [T; 4]) -> [T; 1] {
         let (one, no_zero) = (c.of(1.0), c.of(NO_ZERO));
-        let square = c.mul_add(c, e);
+        let square = (of_c * c).mul_add(c, of_s2.mul_add(s2, base));
         let g = square.abs().sqrt();
         let (sum, gc) = (g + c, g * c);
         let s = e / sum.mul_add(sum, no_zero);
@@ -332,6 +266,33 @@ mod tests {
             prop_assert!((f + absorbed - 1.0).abs() <= 5e-7 && absorbed >= 0.0, "{f} {absorbed}");
         }
 
+        /// The shorter form where k ≥ n in every channel, and the one for any index.
+        #[test]
+        fn both_forms_are_the_core(n in 0.001..20.0, k in 0.001..20.0, c in 0.0..=1.0_f32) {
+            let exact = conductor(n, k, CosTheta::new(f64::from(c)));
+            let metal = k >= n;
+            // A channel of k < n makes the whole material one of any index.
+            for other in [Rgb([n, n, n]), Rgb([n, n, 30.0])] {
+                let of_one = Conductor::material(other, Rgb::splat(k));
+                let of_both = ConductorAndAbsorption::material(other, Rgb::splat(k));
+                prop_assert_eq!(of_one.form().is_metal, metal && other[2] == n);
+                let [f, [also, ..], [absorbed, ..]] = [of_one.at(c)[0], of_both.at(c)[0], of_both.at(c)[1]];
+                prop_assert!((f64::from(f[0]) - exact).abs() <= 2e-6 && (f64::from(also) - exact).abs() <= 2e-6);
+                prop_assert!((f64::from(absorbed) - (1.0 - exact)).abs() <= 2e-6);
+            }
+        }
+
+        /// Vectors of every instruction set, at every length of the loop.
+        #[test]
+        fn what_is_absorbed_keeps_its_digits(n in 0.05..5.0, k in 0.1..9.0, c in prop_oneof![0.0..=1.0_f32, 1e-7..1e-2_f32]) {
+            let material = ConductorAndAbsorption::material(Rgb::splat(n), Rgb::splat(k));
+            let exact = material.at(f64::from(c))[1][0];
+            for level in crate::kernel::levels() {
+                let got = f64::from(results(&material, level, &[c; 17])[1][0][16]);
+                prop_assert!((got - exact).abs() <= 6e-7 * exact, "{level:?}: {got} {exact}");
+            }
+        }
+
         #[test]
         fn every_form_is_total(x in finite(), y in finite(), c in finite()) {
             let [n, k] = [x, y].map(|value| Rgb::splat(f64::from(value)));
@@ -376,6 +337,17 @@ mod tests {
         }
         assert!(pixel(ConductorOfPixels, f32::NAN, 1.0, 0.5).is_nan());
         assert!(pixel(GulbrandsenOfPixels, 0.5, f32::NAN, 0.5).is_nan());
+    }
+
+    /// Both are rounded to 32 bits first; n² − 1 would be rounded to more than the square is.
+    #[test]
+    fn thin_dielectrics_reflect_all_beyond_their_critical_angle() {
+        for n in [1e-4_f32, 3.16e-4, 0.01, 0.3, 0.7] {
+            let critical = (1.0 - n * n).sqrt();
+            for c in [critical - 4e-7, critical * 0.5, 0.0] {
+                assert_eq!(Dielectric::material(Rgb::splat(n.into())).at(c)[0][0], 1.0, "{n} {c}");
+            }
+        }
     }
 
     #[test]

@@ -22,6 +22,13 @@ pub trait Form<const P: usize, const N: usize = 1>: Copy {
     /// Vectors between two looks at the ends of the slices: more than one where looking takes as long as the formula.
     const STEPS: usize = 1;
 
+    /// Calls `run` with this form. A form that computes one way or another calls it in each of them, so that its loop is
+    /// compiled for each and nothing is decided inside.
+    #[inline(always)]
+    fn decided<R>(self, run: impl FnOnce(Self) -> R) -> R {
+        run(self)
+    }
+
     /// What depends only on the angle.
     type Shared<T: Real>: Copy;
 
@@ -50,6 +57,12 @@ impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
         Self::new(form, std::array::from_fn(|channel| parameters.map(|rgb| rgb[channel])))
     }
 
+    /// The formula.
+    #[cfg(test)]
+    pub(super) fn form(&self) -> F {
+        self.form
+    }
+
     /// Bytes of its constants in 32 bits.
     pub const BYTES: usize = 3 * P * size_of::<f32>();
 
@@ -64,6 +77,16 @@ impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
         at(self.form, self.constants(c), c)
     }
 
+    /// At every cosine one after the other, as a shader would compute it. The shorter slice ends it.
+    pub fn one_by_one(&self, cosines: &[f32], out: &mut [[[f32; 3]; N]]) {
+        let constants = self.constants(0.0_f32);
+        self.form.decided(|form| {
+            for (out, c) in out.iter_mut().zip(cosines) {
+                *out = at(form, constants, *c);
+            }
+        });
+    }
+
     /// At every cosine; `out` has a slice for each result and channel. The shortest slice ends it.
     pub fn over(&self, level: Level, cosines: &[f32], out: [[&mut [f32]; 3]; N]) {
         let material = *self;
@@ -73,13 +96,18 @@ impl<F: Form<P, N>, const P: usize, const N: usize> Material<F, P, N> {
     #[inline(always)]
     fn over_lanes<S: Simd>(self, simd: S, cosines: &[f32], out: [[&mut [f32]; 3]; N]) {
         let constants = self.constants(Lanes::splat(simd, 0.0));
-        each_chunk(
-            simd,
-            F::STEPS,
-            (cosines, []),
-            out,
+        self.form.decided(
             #[inline(always)]
-            |c, _| at(self.form, constants, c),
+            |form| {
+                each_chunk(
+                    simd,
+                    F::STEPS,
+                    (cosines, []),
+                    out,
+                    #[inline(always)]
+                    |c, _| at(form, constants, c),
+                );
+            },
         );
     }
 
@@ -106,7 +134,17 @@ pub fn over_pixels<F: Form<P, N>, const P: usize, const N: usize>(
     out: [[&mut [f32]; 3]; N],
 ) {
     dispatch!(level, simd => each_chunk(simd, F::STEPS, (cosines, parameters), out,
-        #[inline(always)] |c, p| at(form, held_pixels::<_, F, P, N>(p), c)));
+        #[inline(always)] |c, p| at_pixel(form, p, c)));
+}
+
+/// A formula at one pixel, as a shader would compute it: [`over_pixels`] without vectors.
+#[inline(always)]
+pub fn at_pixel<T: Real, F: Form<P, N>, const P: usize, const N: usize>(
+    form: F,
+    parameters: [[T; P]; 3],
+    c: T,
+) -> [[T; 3]; N] {
+    at(form, held_pixels::<_, F, P, N>(parameters), c)
 }
 
 /// The parameters of a pixel as the form can take them.

@@ -5,7 +5,8 @@
 //! | `real`, `lanes`, `level` | the numbers a formula is written for: scalars, and vectors of an instruction set |
 //! | `form` | a formula with its constants, at one cosine and over slices |
 //! | `schlick`, `hoffman`, `lazanyi` | Schlick; Hoffman and F82-tint; Lazányi and generalized Schlick |
-//! | `conductor` | exact n and k, Gulbrandsen's r and g, the dielectric |
+//! | `index` | exact F of n and k, in the steps between its roots |
+//! | `conductor` | as materials: n and k, Gulbrandsen's r and g, the dielectric |
 //! | `convert` | r and h to t, r and g to n and k, and back |
 //! | `spectral`, `polynomial`, `table` | N wavelengths; one metal baked into coefficients or a table |
 //! | `lab`, `delta_e` | L*a*b* and CIEDE2000 |
@@ -24,6 +25,7 @@ mod convert;
 mod delta_e;
 mod form;
 mod hoffman;
+mod index;
 mod lab;
 mod lanes;
 mod lazanyi;
@@ -39,7 +41,7 @@ pub mod textbook;
 pub use conductor::{Conductor, ConductorAndAbsorption, ConductorOfPixels, Dielectric, GulbrandsenOfPixels};
 pub use convert::{EdgeOfTint, IndexOfTint, TintOfEdge, TintOfIndex};
 pub use delta_e::{delta_e, delta_e_over, operations_of_delta_e};
-pub use form::{Form, Material, Planes, over_pixels};
+pub use form::{Form, Material, Planes, at_pixel, over_pixels};
 pub use hoffman::{Basis, Exported, F82OfPixels, Factored};
 pub use lab::LabConversion;
 pub use lazanyi::{GeneralizedSchlick, Lazanyi};

@@ -99,6 +99,14 @@ impl Real for Counted {
         })
     }
 
+    fn mul_sub(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+
+    fn nearly_over(self, divisor: Self) -> Self {
+        self / divisor
+    }
+
     fn sqrt(self) -> Self {
         self.count(|counts| counts.roots += 1)
     }
@@ -192,7 +200,7 @@ mod tests {
 
     #[test]
     fn the_conductor_divides_once_per_channel_and_the_popular_one_twice() {
-        let (ours, popular) = (Operations::of(Conductor), Operations::of(PopularConductor));
+        let (ours, popular) = (Operations::of(Conductor::OF_ANY_INDEX), Operations::of(PopularConductor));
         assert_eq!((ours.quotients, ours.roots), (3, 6));
         assert_eq!((popular.quotients, popular.roots), (6, 6));
     }

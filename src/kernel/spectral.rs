@@ -3,50 +3,64 @@
 use fearless_simd::{Level, Simd, dispatch};
 
 use super::Real;
-use super::conductor::{Angle, constants};
 use super::form::each_chunk;
+use super::index::{Angle, AnyIndex, Index, Metal, Parts, are_of_metal, constants, constants_of_metal};
 use super::operations::{Counted, Operations};
 use crate::color::Rgb;
 use crate::fresnel::Nk;
 
-/// The constants of a conductor, and its weight of each channel.
-type Wavelength = ([f32; 6], [f32; 3]);
-
 /// One material at N wavelengths, in 32 bits.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spectral {
-    /// One after the other.
-    wavelengths: Vec<Wavelength>,
+    /// Those at which k ≥ n.
+    metals: Vec<Wavelength<3>>,
+    others: Vec<Wavelength<6>>,
+}
+
+/// The constants of an index, and its weight of each channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Wavelength<const P: usize> {
+    constants: [f32; P],
+    weights: [f32; 3],
 }
 
 impl Spectral {
     /// n and k at each wavelength and its RGB weight; negative n or k are held at 0, those beyond 1e9 there.
     pub fn new(wavelengths: impl IntoIterator<Item = (Nk, Rgb)>) -> Self {
-        let in_32_bits =
-            |(Nk { n, k }, weight): (Nk, Rgb)| (constants(n, k).map(|x| x as f32), weight.0.map(|x| x as f32));
-        Self { wavelengths: wavelengths.into_iter().map(in_32_bits).collect() }
+        let mut all = Self::default();
+        for (Nk { n, k }, weight) in wavelengths {
+            let (constants, weights) = (constants(n, k), weight.0.map(|x| x as f32));
+            let in_32_bits = constants.map(|x| x as f32);
+            if are_of_metal(&constants) {
+                all.metals.push(Wavelength { constants: constants_of_metal(in_32_bits), weights });
+            } else {
+                all.others.push(Wavelength { constants: in_32_bits, weights });
+            }
+        }
+        all
     }
 
     /// How many wavelengths.
     pub fn count(&self) -> usize {
-        self.wavelengths.len()
+        self.metals.len() + self.others.len()
     }
 
     /// Bytes of constants and weights.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.wavelengths.as_slice())
+        size_of_val(self.metals.as_slice()) + size_of_val(self.others.as_slice())
     }
 
-    /// Operations for one RGB value of so many wavelengths.
+    /// Operations for one RGB value.
+    pub fn operations(&self) -> Operations {
+        Operations::while_running(|| {
+            self.at(Counted);
+        })
+    }
+
+    /// Operations for one RGB value of so many wavelengths, whatever n and k are there.
     pub fn operations_of(count: usize) -> Operations {
-        let angle = || Angle::of(Counted.limited(0.0, 1.0));
-        let mut all = Operations::while_running(|| {
-            angle();
-        });
-        let angle = angle();
-        let each = Operations::while_running(|| add(&mut [Counted; 3], angle, &Wavelength::default()));
-        (0..count).for_each(|_| all += each);
-        all
+        Self { metals: Vec::new(), others: vec![Wavelength { constants: [0.0; 6], weights: [0.0; 3] }; count] }
+            .operations()
     }
 
     /// At one cosine, held in `[0, 1]`.
@@ -54,9 +68,8 @@ impl Spectral {
     pub fn at<T: Real>(&self, c: T) -> [T; 3] {
         let angle = Angle::of(c.limited(0.0, 1.0));
         let mut sum = [c.of(0.0); 3];
-        for wavelength in &self.wavelengths {
-            add(&mut sum, angle, wavelength);
-        }
+        add_all::<T, Metal<T>, 3>(&mut sum, angle, &self.metals);
+        add_all::<T, AnyIndex<T>, 6>(&mut sum, angle, &self.others);
         sum
     }
 
@@ -78,18 +91,57 @@ impl Spectral {
     }
 }
 
-/// Adds what one wavelength reflects.
+/// Adds what all wavelengths reflect. Of four in a row the first is added while the next is divided and a root is taken of
+/// each of the two after it: with one finished before the next, a processor that sees only some dozen operations ahead
+/// would wait.
 #[inline(always)]
-fn add<T: Real>(sum: &mut [T; 3], angle: Angle<T>, (constants, weights): &Wavelength) {
+fn add_all<T: Real, I: Index<T, P>, const P: usize>(sum: &mut [T; 3], angle: Angle<T>, all: &[Wavelength<P>]) {
     let kind = sum[0];
-    // Not `map`: an array of vectors is not passed on in registers where that is a call.
-    let mut vectors = [kind; 6];
-    for (vector, x) in vectors.iter_mut().zip(constants) {
-        *vector = kind.of(f64::from(*x));
+    let [first, second, third, ..] = all else {
+        for wavelength in all {
+            wavelength.add(sum, reflectance(wavelength.index::<T, I>(kind).parts_at(angle)));
+        }
+        return;
+    };
+    let mut parts = first.index::<T, I>(kind).parts_at(angle);
+    let mut root = second.index::<T, I>(kind).root_at(angle);
+    let mut modulus = third.index::<T, I>(kind).modulus(angle);
+    for [added, divided, rooted, begun] in all.array_windows() {
+        let reflectance = reflectance(parts);
+        parts = divided.index::<T, I>(kind).parts(angle, root);
+        root = rooted.index::<T, I>(kind).root(modulus);
+        modulus = begun.index::<T, I>(kind).modulus(angle);
+        added.add(sum, reflectance);
     }
-    let reflectance = angle.parts(vectors).reflectance();
-    for (sum, weight) in sum.iter_mut().zip(weights) {
-        *sum = reflectance.mul_add(kind.of(f64::from(*weight)), *sum);
+    let [.., added, divided, rooted] = all else { return };
+    added.add(sum, reflectance(parts));
+    divided.add(sum, reflectance(divided.index::<T, I>(kind).parts(angle, root)));
+    let rooted_index = rooted.index::<T, I>(kind);
+    rooted.add(sum, reflectance(rooted_index.parts(angle, rooted_index.root(modulus))));
+}
+
+#[inline(always)]
+fn reflectance<T: Real>(parts: Parts<T>) -> T {
+    let [above, below] = parts.quotient();
+    above.nearly_over(below)
+}
+
+impl<const P: usize> Wavelength<P> {
+    #[inline(always)]
+    fn index<T: Real, I: Index<T, P>>(&self, kind: T) -> I {
+        // Not `map`: an array of vectors is not passed on in registers where that is a call.
+        let mut vectors = [kind; P];
+        for (vector, x) in vectors.iter_mut().zip(self.constants) {
+            *vector = kind.of(f64::from(x));
+        }
+        I::of(vectors)
+    }
+
+    #[inline(always)]
+    fn add<T: Real>(&self, sum: &mut [T; 3], reflectance: T) {
+        for (sum, weight) in sum.iter_mut().zip(self.weights) {
+            *sum = reflectance.mul_add(reflectance.of(f64::from(weight)), *sum);
+        }
     }
 }
 
@@ -107,9 +159,14 @@ mod tests {
 
     #[test]
     fn is_the_weighted_sum_of_conductors() {
-        let wavelengths: Vec<(Nk, Rgb)> = (0..31_u8)
-            .map(|i| f64::from(i) / 30.0)
-            .map(|x| (Nk { n: 0.1 + 1.4 * x, k: 4.0 - 2.0 * x }, Rgb([x, 1.0 - x, 0.3]) * (1.0 / 15.0)))
+        (0..40).for_each(is_the_sum_of);
+    }
+
+    /// About half of the wavelengths have k < n, so that both loops come to every length from none.
+    fn is_the_sum_of(count: u8) {
+        let wavelengths: Vec<(Nk, Rgb)> = (0..count)
+            .map(|i| f64::from(i) / 40.0)
+            .map(|x| (Nk { n: 0.1 + 5.0 * x, k: 4.0 - 2.0 * x }, Rgb([x, 1.0 - x, 0.3]) * (1.0 / 40.0)))
             .collect();
         let spectral = Spectral::new(wavelengths.iter().copied());
         let cosines: Vec<f32> = (0..=100_u8).map(|i| f32::from(i) / 100.0).collect();

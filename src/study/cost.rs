@@ -30,8 +30,8 @@ impl Variant {
                 ModelKind::GeneralizedSchlick => {
                     GeneralizedSchlick::material(any, any, Rgb::WHITE, BROKEN_POWER).operations()
                 }
-                // Of a known material, (r, g) are n and k.
-                ModelKind::Gulbrandsen | ModelKind::Conductor => Operations::of(Conductor),
+                // Of a known material, (r, g) are n and k. Whether k ≥ n, which is cheaper, a shader does not know.
+                ModelKind::Gulbrandsen | ModelKind::Conductor => Operations::of(Conductor::OF_ANY_INDEX),
             },
             Self::Series(count) => Polynomial::operations_of(6, 0.0, count),
             Self::Polynomial(count) => Polynomial::operations_of(1, SchlickSeries::BEND_OF_METALS, count),
