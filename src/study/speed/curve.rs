@@ -2,14 +2,26 @@
 
 use crate::fresnel::{FresnelModel, Nk, SchlickSeries};
 use crate::kernel::{
-    Conductor, Constant, Factored, Form as Formula, GeneralizedSchlick, Lazanyi, Level, Material, Polynomial, Schlick,
-    Spectral, Table,
+    Conductor, Constant, Factored, Form as Formula, GeneralizedSchlick, Lazanyi, Level, Material, Operations,
+    Polynomial, Schlick, Spectral, Table,
 };
 use crate::spectrum::SAMPLES;
 use crate::study::{Form, Variant};
 
+/// In vectors of an instruction set, into a slice for each channel.
+pub(super) type InVectors = Box<dyn Fn(Level, &[f32], [&mut [f32]; 3]) + Send + Sync>;
+
+/// One cosine after the other, into one result of three channels for each.
+pub(super) type OneByOne = Box<dyn Fn(&[f32], &mut [[[f32; 3]; 1]]) + Send + Sync>;
+
 /// The curve of a material in 32 bits, at cosines.
-pub(super) type Curve = Box<dyn Fn(Level, &[f32], [&mut [f32]; 3]) + Send + Sync>;
+pub(super) struct Curve {
+    pub(super) in_vectors: InVectors,
+    /// The same text.
+    pub(super) one_by_one: OneByOne,
+    /// Of one evaluation.
+    pub(super) operations: Operations,
+}
 
 /// The name of the kernel that a variant is evaluated by. r and g of a known material are n and k.
 pub(super) fn kernel_of(variant: Variant) -> String {
@@ -30,8 +42,7 @@ pub(super) fn curve(form: &Form) -> Option<Curve> {
         Form::Table { rows } => Some(of_table(rows)),
         Form::Spectral { n, k, weights, .. } => {
             let nk = n.iter().zip(k).map(|(n, k)| Nk { n: *n, k: *k });
-            let spectral = Spectral::new(nk.zip(weights.iter().copied()));
-            Some(Box::new(move |level, cosines, out| spectral.over(level, cosines, out)))
+            Some(of_spectral(Spectral::new(nk.zip(weights.iter().copied()))))
         }
     }
 }
@@ -62,11 +73,35 @@ fn of_series(series: &SchlickSeries) -> Option<Curve> {
 fn of_table(rows: &[crate::color::Rgb]) -> Curve {
     let mut values = rows.iter().copied();
     let table = Table::new(rows.len(), |_| values.next().unwrap_or(crate::color::Rgb::splat(f64::NAN)));
-    Box::new(move |level, cosines, out| table.over(level, cosines, out))
+    let alone = table.clone();
+    Curve {
+        in_vectors: Box::new(move |level, cosines, out| table.over(level, cosines, out)),
+        one_by_one: Box::new(move |cosines, out| each(cosines, out, |c| alone.at(c))),
+        operations: Table::OPERATIONS,
+    }
+}
+
+fn of_spectral(spectral: Spectral) -> Curve {
+    let (alone, operations) = (spectral.clone(), spectral.operations());
+    Curve {
+        in_vectors: Box::new(move |level, cosines, out| spectral.over(level, cosines, out)),
+        one_by_one: Box::new(move |cosines, out| each(cosines, out, |c| alone.at(c))),
+        operations,
+    }
 }
 
 fn of_material<F: Formula<P> + Send + Sync + 'static, const P: usize>(material: Material<F, P>) -> Curve {
-    Box::new(move |level, cosines, out| material.over(level, cosines, [out]))
+    Curve {
+        in_vectors: Box::new(move |level, cosines, out| material.over(level, cosines, [out])),
+        one_by_one: Box::new(move |cosines, out| material.one_by_one(cosines, out)),
+        operations: material.operations(),
+    }
+}
+
+fn each(cosines: &[f32], out: &mut [[[f32; 3]; 1]], at: impl Fn(f32) -> [f32; 3]) {
+    for ([out], c) in out.iter_mut().zip(cosines) {
+        *out = at(*c);
+    }
 }
 
 #[cfg(test)]
@@ -87,12 +122,15 @@ mod tests {
         for of in forms(&gold, &Variant::ALL, RgbSpace::AcesCg, &mut || ControlFlow::Continue(())).unwrap() {
             let curve = curve(&of.form).unwrap_or_else(|| panic!("{} has no kernel", of.variant));
             let mut out = [(); 3].map(|()| vec![f32::NAN; cosines.len()]);
-            curve(Level::new(), &cosines, out.each_mut().map(Vec::as_mut_slice));
+            (curve.in_vectors)(Level::new(), &cosines, out.each_mut().map(Vec::as_mut_slice));
+            let mut alone = vec![[[f32::NAN; 3]]; cosines.len()];
+            (curve.one_by_one)(&cosines, &mut alone);
             for (at, c) in cosines.iter().enumerate() {
                 let exact = of.form.reflectance(CosTheta::new(f64::from(*c)));
-                let got = crate::color::Rgb(std::array::from_fn(|channel| f64::from(out[channel][at])));
-                let off = got.max_abs_difference(exact);
-                assert!(off < 1e-5, "{} at {c}: {off}", of.variant);
+                for got in [std::array::from_fn(|channel| out[channel][at]), alone[at][0]] {
+                    let off = crate::color::Rgb(got.map(f64::from)).max_abs_difference(exact);
+                    assert!(off < 1e-5, "{} at {c}: {off}", of.variant);
+                }
             }
         }
     }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use serde::Serialize;
 
-use super::curve::{Curve, curve};
+use super::curve::{InVectors, curve};
 use crate::color::{Lab, RgbSpace, delta_e_2000};
 use crate::fit::{Method, Triple};
 use crate::fresnel::{CosTheta, ModelKind, whole_degrees};
@@ -132,7 +132,7 @@ fn differences(form: &Form, truth: &[Lab], space: RgbSpace) -> Vec<f64> {
 pub struct ErrorTable {
     input: ErrorTableInput,
     /// The truth and the models of each metal.
-    curves: Vec<(Curve, Vec<Curve>)>,
+    curves: Vec<(InVectors, Vec<InVectors>)>,
     lab: LabConversion,
     cosines: [f32; PADDED],
 }
@@ -161,7 +161,8 @@ impl ErrorTable {
         keep_going: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, StudyError> {
         let input = ErrorTableInput::new(metals, wavelengths, space, keep_going)?;
-        let kernel = |form: &Form| curve(form).expect("each of these variants has a kernel, as a test holds");
+        let kernel =
+            |form: &Form| curve(form).expect("each of these variants has a kernel, as a test holds").in_vectors;
         let curves = input
             .metals
             .iter()
@@ -206,7 +207,7 @@ impl ErrorTable {
         }
     }
 
-    fn labs(&self, level: Level, curve: &Curve) -> [[f32; PADDED]; 3] {
+    fn labs(&self, level: Level, curve: &InVectors) -> [[f32; PADDED]; 3] {
         let (mut rgb, mut lab) = ([[0.0; PADDED]; 3], [[0.0; PADDED]; 3]);
         curve(level, &self.cosines, rgb.each_mut().map(|plane| &mut plane[..]));
         self.lab.over(level, rgb.each_ref().map(|plane| &plane[..]), lab.each_mut().map(|plane| &mut plane[..]));

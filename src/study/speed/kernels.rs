@@ -6,7 +6,8 @@ use std::ops::ControlFlow;
 use palette::color_difference::Ciede2000;
 
 use super::SpeedOptions;
-use super::curve::{Curve, curve, kernel_of};
+use super::buffers::{COLOURS, buffer, colours, cosines, labs, planes};
+use super::curve::{InVectors, curve, kernel_of};
 use super::error_table::ErrorTable;
 use crate::color::{Lab, Rgb, RgbSpace, delta_e_2000};
 use crate::fresnel::{CosTheta, FresnelModel};
@@ -15,9 +16,9 @@ use crate::kernel::textbook::{
     PopularConductor, SchlickByPower, SpectralDividerBound,
 };
 use crate::kernel::{
-    Basis, Conductor, ConductorAndAbsorption, ConductorOfPixels, Dielectric, Exported, F82OfPixels, Factored,
-    Form as Formula, GulbrandsenOfPixels, LabConversion, Level, Material, Operations, Schlick, SchlickOfPixels,
-    delta_e_over, operations_of_delta_e, over_pixels,
+    Basis, Conductor, ConductorAndAbsorption, ConductorOfPixels, Dielectric, Exported, F82OfPixels, Form as Formula,
+    GulbrandsenOfPixels, LabConversion, Level, Material, Operations, SchlickOfPixels, at_pixel, delta_e_over,
+    operations_of_delta_e, over_pixels,
 };
 use crate::metal::{metal_by_name, preferred_metals};
 use crate::render::{Light, RadialTable, SphereView, Srgb8Picture};
@@ -60,7 +61,7 @@ pub(super) const TABLE_WAVELENGTHS: usize = 81;
 const PICTURE_SIZE: u32 = 1024;
 
 /// Evaluations in a row: cosines and results stay in the first cache.
-const VALUES: usize = 1024;
+const VALUES: usize = COLOURS;
 /// Of many wavelengths.
 const VALUES_OF_MANY: usize = 256;
 
@@ -73,7 +74,6 @@ const H: Rgb = Rgb([0.954, 0.880, 0.660]);
 const T: Rgb = Rgb([0.983, 0.999, 0.994]);
 const N: Rgb = Rgb([0.183, 0.421, 1.373]);
 const K: Rgb = Rgb([3.424, 2.346, 1.770]);
-
 /// One that has a turn.
 pub(super) struct Kernel {
     pub(super) name: String,
@@ -116,9 +116,11 @@ pub(super) fn names() -> Vec<String> {
 }
 
 /// The names that are no variant's.
-const OTHERS: [&str; 10] = [
+const OTHERS: [&str; 12] = [
     "hoffman-basis",
-    "conductor-and-absorption",
+    CONDUCTOR_ANY,
+    CONDUCTOR_BOTH,
+    CONDUCTOR_BOTH_ANY,
     "dielectric",
     "gulbrandsen",
     "lab",
@@ -128,6 +130,11 @@ const OTHERS: [&str; 10] = [
     "preview-white",
     "preview-soft-boxes",
 ];
+
+/// F of n and k where k < n, and F and 1 − F, where k ≥ n and where not.
+const CONDUCTOR_ANY: &str = "conductor-any";
+const CONDUCTOR_BOTH: &str = "conductor-and-absorption";
+const CONDUCTOR_BOTH_ANY: &str = "conductor-and-absorption-any";
 
 /// One variant for each kernel, and one more for the number of wavelengths that is aimed at.
 fn variants() -> impl Iterator<Item = Variant> {
@@ -158,7 +165,6 @@ impl Field<'_> {
         self.materials();
         self.textbooks();
         self.bounds();
-        self.scalars();
         self.core();
         self.textures();
         self.differences();
@@ -191,19 +197,20 @@ impl Field<'_> {
         let gold = Subject::Metal(metal_by_name("gold").expect("a metal of the library"));
         for FormOfVariant { variant, form, .. } in forms(&gold, &wanted, SPACE, keep_going)? {
             let curve = curve(&form).expect("every variant has a kernel, as a test holds");
-            let costs = (Some(variant.parameter_bytes() as usize), Some(variant.operations()));
-            let values = values_of(variant.operations());
-            self.curve((kernel_of(variant).as_str(), OURS), costs, values, curve);
+            let costs = (Some(variant.parameter_bytes() as usize), Some(curve.operations));
+            let (name, values) = (kernel_of(variant), values_of(variant.operations()));
+            self.in_vectors((&name, OURS), costs, values, curve.in_vectors);
+            self.one_by_one(&name, costs, values, curve.one_by_one);
         }
         Ok(())
     }
 
-    fn curve(
+    fn in_vectors(
         &mut self,
         (name, kind): (&str, &'static str),
         costs: (Option<usize>, Option<Operations>),
         values: usize,
-        curve: Curve,
+        curve: InVectors,
     ) {
         let (level, cosines, mut out) = (self.level, cosines(values), planes(values));
         self.add((name, kind, MATERIAL), costs, values, move || {
@@ -212,7 +219,34 @@ impl Field<'_> {
         });
     }
 
-    /// A formula with its constants; `bytes` are those of the parameters they are made from.
+    /// The same text, compiled for any processor of this architecture.
+    fn one_by_one<const M: usize>(
+        &mut self,
+        name: &str,
+        costs: (Option<usize>, Option<Operations>),
+        values: usize,
+        curve: impl Fn(&[f32], &mut [[[f32; 3]; M]]) + 'static,
+    ) {
+        let (cosines, mut out) = (cosines(values), vec![[[0.0_f32; 3]; M]; values]);
+        self.add((name, SCALAR, MATERIAL), costs, values, move || {
+            curve(black_box(&cosines), black_box(&mut out));
+        });
+    }
+
+    /// A formula with its constants, in vectors and one by one; `bytes` are those of the parameters they are made from.
+    fn ours<F: Formula<P, M> + 'static, const P: usize, const M: usize>(
+        &mut self,
+        name: &str,
+        bytes: usize,
+        material: Material<F, P, M>,
+    ) {
+        self.material((name, OURS), Some(bytes), material);
+        if self.wants(name) {
+            let costs = (Some(bytes), Some(material.operations()));
+            self.one_by_one(name, costs, VALUES, move |cosines, out| material.one_by_one(cosines, out));
+        }
+    }
+
     fn material<F: Formula<P, M> + 'static, const P: usize, const M: usize>(
         &mut self,
         (name, kind): (&str, &'static str),
@@ -233,9 +267,12 @@ impl Field<'_> {
     }
 
     fn materials(&mut self) {
-        self.material(("hoffman-basis", OURS), Some(24), Basis::material(R, H));
-        self.material(("conductor-and-absorption", OURS), Some(24), ConductorAndAbsorption::material(N, K));
-        self.material(("dielectric", OURS), Some(12), Dielectric::material(Rgb([1.5, 1.51, 1.52])));
+        let [n, k] = tungsten();
+        self.ours("hoffman-basis", 24, Basis::material(R, H));
+        self.ours(CONDUCTOR_ANY, 24, Conductor::material(n, k));
+        self.ours(CONDUCTOR_BOTH, 24, ConductorAndAbsorption::material(N, K));
+        self.ours(CONDUCTOR_BOTH_ANY, 24, ConductorAndAbsorption::material(n, k));
+        self.ours("dielectric", 12, Dielectric::material(Rgb([1.5, 1.51, 1.52])));
     }
 
     fn textbooks(&mut self) {
@@ -250,7 +287,7 @@ impl Field<'_> {
     }
 
     fn bounds(&mut self) {
-        for name in ["conductor", "conductor-and-absorption"] {
+        for name in ["conductor", CONDUCTOR_ANY, CONDUCTOR_BOTH, CONDUCTOR_BOTH_ANY] {
             self.material((name, BOUND), None, DividerBound::material(N, K));
         }
         for variant in variants() {
@@ -262,38 +299,10 @@ impl Field<'_> {
             let (name, bound) = (kernel_of(variant), SpectralDividerBound::new(count));
             if self.wants(&name) {
                 let values = values_of(variant.operations());
-                let curve: Curve = Box::new(move |level, cosines, out| bound.over(level, cosines, out));
-                self.curve((name.as_str(), BOUND), (None, None), values, curve);
+                let curve: InVectors = Box::new(move |level, cosines, out| bound.over(level, cosines, out));
+                self.in_vectors((name.as_str(), BOUND), (None, None), values, curve);
             }
         }
-    }
-
-    /// The same text as the vectors', compiled for any processor of this architecture.
-    fn scalars(&mut self) {
-        self.scalar("schlick", 12, Schlick::material(R));
-        self.scalar("hoffman", 24, Factored::hoffman(R, H));
-        self.scalar("f82-tint", 24, Factored::f82_tint(R, T));
-        self.scalar("conductor", 24, Conductor::material(N, K));
-        self.scalar("conductor-and-absorption", 24, ConductorAndAbsorption::material(N, K));
-    }
-
-    fn scalar<F: Formula<P, M> + 'static, const P: usize, const M: usize>(
-        &mut self,
-        name: &str,
-        bytes: usize,
-        material: Material<F, P, M>,
-    ) {
-        if !self.wants(name) {
-            return;
-        }
-        let (cosines, mut out) = (cosines(VALUES), vec![[[0.0_f32; 3]; M]; VALUES]);
-        let costs = (Some(bytes), Some(material.operations()));
-        self.add((name, SCALAR, MATERIAL), costs, VALUES, move || {
-            for (out, c) in out.iter_mut().zip(black_box(&cosines)) {
-                *out = material.at(*c);
-            }
-            black_box(&mut out);
-        });
     }
 
     /// 64 bits, one by one.
@@ -345,6 +354,27 @@ impl Field<'_> {
             let textures = textures.each_ref().map(|planes| planes.each_ref().map(Vec::as_slice));
             let planes = out.each_mut().map(Vec::as_mut_slice);
             over_pixels(form, level, (black_box(&cosines[..]), black_box(textures)), [planes]);
+            black_box(&mut out);
+        });
+        if kind == OURS {
+            self.pixels_one_by_one(name, form, parameters);
+        }
+    }
+
+    fn pixels_one_by_one<F: Formula<P> + 'static, const P: usize>(
+        &mut self,
+        name: &str,
+        form: F,
+        parameters: [Rgb; P],
+    ) {
+        let of_pixel: [[f32; P]; 3] = std::array::from_fn(|channel| parameters.map(|rgb| rgb[channel] as f32));
+        let (cosines, texture, mut out) = (cosines(VALUES), vec![of_pixel; VALUES], vec![[0.0; 3]; VALUES]);
+        let costs = (Some(12 * P), Some(Operations::of(form)));
+        self.add((name, SCALAR, PIXEL), costs, VALUES, move || {
+            let pixels = black_box(&cosines).iter().zip(black_box(&texture));
+            for (out, (c, pixel)) in out.iter_mut().zip(pixels) {
+                [*out] = at_pixel(form, *pixel, *c);
+            }
             black_box(&mut out);
         });
     }
@@ -441,41 +471,16 @@ impl Field<'_> {
     }
 }
 
+/// n and k of a metal with n > k, at three wavelengths.
+fn tungsten() -> [Rgb; 2] {
+    let table = metal_by_name("tungsten").expect("a metal of the library").table();
+    let nk = [650.0, 550.0, 450.0].map(|nm| table.at(nm));
+    [Rgb(nk.map(|nk| nk.n)), Rgb(nk.map(|nk| nk.k))]
+}
+
 /// Fewer where an evaluation takes long.
 fn values_of(operations: Operations) -> usize {
     if operations.roots > 100 { VALUES_OF_MANY } else { VALUES }
-}
-
-/// Numbers in memory of their own. The room beyond them keeps one buffer from lying a page's size after another: then a
-/// processor takes what it loads for what it has just stored elsewhere, and waits.
-fn buffer(values: impl ExactSizeIterator<Item = f32>) -> Vec<f32> {
-    const ROOM: usize = 272;
-    let mut buffer = Vec::with_capacity(values.len() + ROOM);
-    buffer.extend(values);
-    buffer
-}
-
-/// Cosines from 0 to 1 in no order.
-fn cosines(values: usize) -> Vec<f32> {
-    buffer((0..values).map(|i| ((i * 7919) % values) as f32 / values as f32))
-}
-
-fn planes(values: usize) -> [Vec<f32>; 3] {
-    [(); 3].map(|()| buffer((0..values).map(|_| 0.0)))
-}
-
-/// Colours of every lightness.
-fn colours() -> [Vec<f32>; 3] {
-    [1.0, 0.8, 0.3].map(|share: f32| buffer(cosines(VALUES).into_iter().map(|c| c * share)))
-}
-
-/// L*, a* and b* of colours and of others nearby.
-fn labs() -> [[Vec<f32>; 3]; 2] {
-    let lab = |shift: f32| {
-        [(100.0, 0.0), (60.0, -30.0), (-50.0, 40.0)]
-            .map(|(scale, offset): (f32, f32)| buffer(cosines(VALUES).into_iter().map(|c| c * scale + offset + shift)))
-    };
-    [lab(0.0), lab(0.7)]
 }
 
 #[cfg(test)]

@@ -5,12 +5,14 @@
 //! | `rounds` | the clock: many short rounds in which each kernel has its turn |
 //! | `kernels` | what has a turn: our kernels, textbook forms, bounds, others' programs |
 //! | `curve` | a variant of a material as its kernel |
+//! | `buffers` | what they compute from and into |
 //! | `error_table` | ΔE of ten models of many metals at 91 angles, as a slider moves it |
 //! | `digits` | how many digits the exact kernels keep on real metals |
 //! | `bars` | what is aimed at, and whether it is reached |
 //! | `evidence`, `markdown` | everything that `docs/performance.md` states |
 
 mod bars;
+mod buffers;
 mod curve;
 mod digits;
 mod error_table;
