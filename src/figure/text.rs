@@ -29,7 +29,8 @@ static FONTS: LazyLock<bool> = LazyLock::new(|| {
 
 /// The font at an em size, for plotters.
 pub(super) fn font(weight: Weight, em: f64) -> FontDesc<'static> {
-    debug_assert!(*FONTS, "fonts that a test has read");
+    // Not debug_assert: looking is what registers them, in a release build too.
+    assert!(*FONTS, "fonts that a test has read");
     let style = match weight {
         Weight::Regular => FontStyle::Normal,
         Weight::SemiBold => FontStyle::Bold,
