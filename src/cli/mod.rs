@@ -45,6 +45,7 @@ mod output;
 mod parameters;
 mod picture;
 mod plan;
+mod plan_scene;
 mod preset_files;
 mod presets;
 mod progress;

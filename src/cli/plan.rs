@@ -1,260 +1,127 @@
 //! `edgewise plan`: what a scene requires.
 
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::PathBuf;
 
-use anyhow::{Context, bail};
+use anyhow::bail;
 use clap::Args;
 
 use super::arguments;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
+use super::plan_scene::SceneArguments;
 use super::progress::Progress;
 use super::times::measured;
 use crate::color::RgbSpace;
-use crate::file::read_text;
-use crate::fresnel::h_of_schlick;
-use crate::metal::{Metal, metal_by_name, preferred_metals};
-use crate::photo::{Plane, PlaneKind};
-use crate::preset::{Preset, built_in_presets, pretty_json};
-use crate::scene::{
-    Angles, FacingPass, Masks, MaterialPlan, Plan, PlanOptions, SceneMaterial, Seen, Shape, Source, Target, Tolerance,
-    Verdict, plan_scene,
-};
+use crate::preset::pretty_json;
+use crate::scene::{MaterialPlan, Plan, PlanOptions, SavedPlan, SavedScene, Target, Tolerance, Verdict, plan_scene};
 use crate::study::{Costs, Measure};
 
 /// Arguments of `edgewise plan`.
 #[derive(Debug, Args)]
 pub struct PlanCommand {
-    /// MATERIAL or MATERIAL@SEEN. A material is a metal of the library, a preset (.json), n and k (.csv, .yml), or
-    /// colours as 0.9,0.7,0.4 or r/h. SEEN is sphere, cylinder, card:0-60, floor:1.7:1-20, id:7 with --ids, or the
-    /// file of a matte with --pass
-    #[arg(value_name = "MATERIAL@SEEN", required_unless_present_any = ["list", "metals", "presets"])]
-    materials: Vec<String>,
-    /// A text file with one MATERIAL@SEEN on each line
-    #[arg(long, value_name = "FILE")]
-    list: Option<PathBuf>,
-    /// Also every metal of the library, by its preferred data set
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// A saved plan, to be planned again: what is not given is as it was, and no other file is needed
+    #[arg(long, value_name = "PLAN", conflicts_with_all = NAMES_A_SCENE)]
+    from: Option<PathBuf>,
+    /// The largest ΔE2000 that is allowed, 1 unless given
+    #[arg(long, value_parser = tolerance, allow_hyphen_values = true)]
+    tolerance: Option<f64>,
+    /// Of which number: max (the default), mean or p95 (what 95 % of the pixels stay within)
     #[arg(long)]
-    metals: bool,
-    /// Also every built-in preset
-    #[arg(long)]
-    presets: bool,
-    /// How materials are seen that do not say it
-    #[arg(long, default_value = "sphere", conflicts_with = "pass")]
-    seen: Shape,
-    /// A rendered facing-ratio pass (cosine between normal and view) as .exr or .png
-    #[arg(long, value_name = "FILE")]
-    pass: Option<PathBuf>,
-    /// The channel of the pass; the likeliest unless given
-    #[arg(long, value_name = "NAME", requires = "pass")]
-    channel: Option<String>,
-    /// A picture of whole numbers that tell the materials of the pass apart; in an 8-bit colour PNG, #rrggbb as a number
-    #[arg(long, value_name = "FILE", requires = "pass")]
-    ids: Option<PathBuf>,
-    /// The channel of the ids
-    #[arg(long, value_name = "NAME", requires = "ids")]
-    ids_channel: Option<String>,
-    /// The largest ΔE2000 that is allowed
-    #[arg(long, default_value_t = Tolerance::default().delta_e, value_parser = tolerance, allow_hyphen_values = true)]
-    tolerance: f64,
-    /// Of which number: max, mean or p95 (what 95 % of the pixels stay within)
-    #[arg(long, default_value_t)]
-    on: Measure,
-    /// What is spared: real-time (shader operations), offline (time on this machine), texture-memory (bytes)
-    #[arg(long = "for", value_name = "TARGET", default_value_t)]
-    target: Target,
+    on: Option<Measure>,
+    /// What is spared: real-time (shader operations, the default), offline (time on this machine), texture-memory
+    /// (bytes)
+    #[arg(long = "for", value_name = "TARGET")]
+    target: Option<Target>,
     /// Also say the time that is saved, measured on this machine, which offline always does
     #[arg(long)]
     times: bool,
-    /// The space of parameters and differences
-    #[arg(long, default_value_t)]
-    space: RgbSpace,
+    /// The space of parameters and differences, lin_rec709 unless given
+    #[arg(long)]
+    space: Option<RgbSpace>,
     /// One row for each variant that was looked at
     #[arg(long)]
     detail: bool,
-    /// Save the plan, for `edgewise export --plan`
+    /// Save the plan, for `edgewise export --plan` and `edgewise plan --from`
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
     format: FormatArguments,
 }
 
+/// The arguments of a scene that a saved plan takes the place of.
+const NAMES_A_SCENE: [&str; 9] =
+    ["materials", "list", "metals", "presets", "seen", "pass", "channel", "ids", "ids_channel"];
+
 fn tolerance(text: &str) -> Result<f64, String> {
     let value = arguments::number(text)?;
     if value >= 0.0 { Ok(value) } else { Err(format!("a tolerance is at least 0, not {value}")) }
 }
 
-/// Where a material is seen.
-#[derive(Clone, Debug, PartialEq)]
-enum Where {
-    /// As the scene says.
-    Default,
-    Shape(Shape),
-    Id(u32),
-    Matte(PathBuf),
+/// What is planned for, and what was asked the last time.
+struct Asked {
+    scene: SavedScene,
+    sentence: String,
+    options: PlanOptions,
+    has_times: bool,
 }
 
 impl PlanCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
         let mut warnings = Vec::new();
-        let (sources, places): (Vec<Source>, Vec<Where>) = self.sources(&mut warnings)?.into_iter().unzip();
-        let (angles, scene) = self.angles(&places, &mut warnings)?;
-        let pairs = sources.into_iter().zip(angles);
-        let materials: Vec<SceneMaterial> = pairs.map(|(source, angles)| SceneMaterial { source, angles }).collect();
-        let plan = self.plan(&materials, &scene, self.costs(&mut warnings)?)?;
+        let Asked { scene, sentence, options, has_times } = self.asked(&mut warnings)?;
+        let costs = self.costs(options.target, has_times, &mut warnings)?;
+        let options = PlanOptions { costs, ..options };
+        let progress = Progress::new("Planning");
+        let plan = plan_scene(&scene.scene_materials(), &sentence, &options, &|share| progress.report(share))?;
+        let saved = SavedPlan { plan, scene: Ok(scene) };
         if let Some(path) = &self.output {
-            plan.save(path)?;
+            saved.save(path)?;
         }
-        let table = if self.detail { detail(&plan) } else { table(&plan) };
+        let plan = &saved.plan;
+        let table = if self.detail { detail(plan) } else { table(plan) };
         let text = match self.format.format() {
-            Format::Json => pretty_json(&plan.to_json()),
+            Format::Json => pretty_json(&saved.to_json()?),
             Format::Csv => table.to_csv(),
             Format::Table => format!("{}\n{}\n{}\n", table.to_text(), plan.scene, plan.summary()),
         };
         Ok(Output { text, warnings, ..Output::default() })
     }
 
-    /// What can be counted, and times where they decide or are wanted.
-    fn costs(&self, warnings: &mut Vec<String>) -> anyhow::Result<Costs> {
-        let has_times = self.times || self.target == Target::Offline;
+    /// What the arguments ask for; with `--from`, what the saved plan asked for where they do not.
+    fn asked(&self, warnings: &mut Vec<String>) -> anyhow::Result<Asked> {
+        let Some(path) = &self.from else {
+            let options = self.options(&PlanOptions::default());
+            let (scene, sentence) = self.scene.scene(options.space, warnings)?;
+            return Ok(Asked { scene, sentence, options, has_times: false });
+        };
+        let saved = SavedPlan::load(path)?;
+        warnings.extend(saved.remarks());
+        let SavedPlan { plan, scene } = saved;
+        let scene = match scene {
+            Ok(scene) => scene,
+            Err(reason) => bail!("{}: {reason}", path.display()),
+        };
+        let Plan { space, tolerance, target, has_times, scene: sentence, .. } = plan;
+        let options = self.options(&PlanOptions { space, tolerance, target, costs: Costs::default() });
+        Ok(Asked { scene, sentence, options, has_times })
+    }
+
+    fn options(&self, before: &PlanOptions) -> PlanOptions {
+        let Tolerance { delta_e, on } = before.tolerance;
+        PlanOptions {
+            space: self.space.unwrap_or(before.space),
+            tolerance: Tolerance { delta_e: self.tolerance.unwrap_or(delta_e), on: self.on.unwrap_or(on) },
+            target: self.target.unwrap_or(before.target),
+            costs: before.costs.clone(),
+        }
+    }
+
+    /// What can be counted, and times where they decide, are wanted or were known before.
+    fn costs(&self, target: Target, had_times: bool, warnings: &mut Vec<String>) -> anyhow::Result<Costs> {
+        let has_times = self.times || had_times || target == Target::Offline;
         if has_times { Ok(measured(warnings)?) } else { Ok(Costs::counted()) }
     }
-
-    fn plan(&self, materials: &[SceneMaterial], scene: &str, costs: Costs) -> anyhow::Result<Plan> {
-        let options = PlanOptions {
-            space: self.space,
-            tolerance: Tolerance { delta_e: self.tolerance, on: self.on },
-            target: self.target,
-            costs,
-        };
-        let progress = Progress::new("Planning");
-        Ok(plan_scene(materials, scene, &options, &|share| progress.report(share))?)
-    }
-
-    fn sources(&self, warnings: &mut Vec<String>) -> anyhow::Result<Vec<(Source, Where)>> {
-        let listed = match &self.list {
-            Some(path) => read_text(path)?,
-            None => String::new(),
-        };
-        let lines = listed.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
-        let words = self.materials.iter().map(String::as_str).chain(lines);
-        let mut sources: Vec<(Source, Where)> =
-            words.map(|word| self.material(word, warnings)).collect::<anyhow::Result<_>>()?;
-        let metals = preferred_metals().filter(|_| self.metals).map(|metal| Source::Metal(Arc::new(metal.clone())));
-        let presets = built_in_presets().iter().filter(|_| self.presets);
-        let presets = presets.map(|preset| Source::Preset(Box::new(preset.clone())));
-        sources.extend(metals.chain(presets).map(|source| (source, Where::Default)));
-        Ok(sources)
-    }
-
-    /// A material and, after the last @, where it is seen.
-    fn material(&self, word: &str, warnings: &mut Vec<String>) -> anyhow::Result<(Source, Where)> {
-        match word.rsplit_once('@') {
-            Some((material, place)) => Ok((self.source(material, warnings)?, seen(place)?)),
-            None => Ok((self.source(word, warnings)?, Where::Default)),
-        }
-    }
-
-    fn source(&self, word: &str, warnings: &mut Vec<String>) -> anyhow::Result<Source> {
-        let ending = Path::new(word).extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-        match ending.as_str() {
-            "json" => {
-                let loaded = Preset::load(Path::new(word))?;
-                warnings.extend(loaded.warnings);
-                Ok(Source::Preset(Box::new(loaded.preset)))
-            }
-            "csv" | "yml" | "yaml" => Ok(Source::Metal(Arc::new(Metal::open(Path::new(word))?))),
-            _ if word.contains(',') => self.colours(word),
-            _ => Ok(Source::Metal(Arc::new(metal_by_name(word)?.clone()))),
-        }
-    }
-
-    fn colours(&self, word: &str) -> anyhow::Result<Source> {
-        let triple = |text: &str| arguments::triple(text).map_err(anyhow::Error::msg);
-        let (r, h) = match word.split_once('/') {
-            Some((r, h)) => (triple(r)?, triple(h)?),
-            None => (triple(word)?, triple(word)?.map(h_of_schlick)),
-        };
-        let preset = Preset { name: "Given colours".to_owned(), r, h, space: self.space, ..Preset::new_authored() };
-        Ok(Source::Preset(Box::new(preset)))
-    }
-
-    /// The angles of each material, and where they come from in a sentence.
-    fn angles(&self, places: &[Where], warnings: &mut Vec<String>) -> anyhow::Result<(Vec<Angles>, String)> {
-        let Some(path) = &self.pass else { return self.shapes(places) };
-        let pass = FacingPass { ratio: open(path, PlaneKind::Facing, self.channel.as_deref(), warnings)? };
-        let Plane { width, height, channel, .. } = &pass.ratio;
-        let scene = format!("{}: {width} × {height} pixels of channel {channel}", path.display());
-        let (masks, ids) = self.masks(places, warnings)?;
-        let Seen { mut angles, report } = pass.angles(&masks, &ids).map_err(anyhow::Error::msg)?;
-        warnings.extend(report.sentences().into_iter().map(|sentence| format!("{}: {sentence}", path.display())));
-        if matches!(masks, Masks::None) {
-            angles = vec![angles.remove(0); places.len()];
-        }
-        let of_all = format!("{scene}, {} with a surface and {} without", report.seen, report.background);
-        Ok((angles, of_all))
-    }
-
-    fn shapes(&self, places: &[Where]) -> anyhow::Result<(Vec<Angles>, String)> {
-        let shape = |place: &Where| match place {
-            Where::Default => Ok(self.seen),
-            Where::Shape(shape) => Ok(*shape),
-            Where::Id(_) | Where::Matte(_) => bail!("ids and mattes belong to a facing-ratio pass: --pass FILE"),
-        };
-        let shapes: Vec<Shape> = places.iter().map(shape).collect::<anyhow::Result<_>>()?;
-        let mut labels: Vec<String> = Vec::new();
-        for label in shapes.iter().map(|shape| shape.label()) {
-            if !labels.contains(&label) {
-                labels.push(label);
-            }
-        }
-        Ok((shapes.into_iter().map(Shape::angles).collect(), labels.join("; ")))
-    }
-
-    /// What tells the materials of the pass apart: all in one way.
-    fn masks(&self, places: &[Where], warnings: &mut Vec<String>) -> anyhow::Result<(Masks, Vec<u32>)> {
-        if let Some(ids) = &self.ids {
-            let id = |place: &Where| if let Where::Id(id) = place { Some(*id) } else { None };
-            let all: Option<Vec<u32>> = places.iter().map(id).collect();
-            let all = all.context("with --ids every material says which one it has, like gold@id:7")?;
-            let mut sorted = all.clone();
-            sorted.sort_unstable();
-            if let Some(twice) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
-                bail!("the id {} is given to two materials", twice[0]);
-            }
-            return Ok((Masks::Ids(open(ids, PlaneKind::Id, self.ids_channel.as_deref(), warnings)?), all));
-        }
-        if places.iter().all(|place| *place == Where::Default) {
-            return Ok((Masks::None, Vec::new()));
-        }
-        let mattes = places.iter().map(|place| match place {
-            Where::Matte(path) => open(path, PlaneKind::Matte, None, warnings),
-            Where::Id(_) => bail!("ids need their picture: --ids FILE"),
-            Where::Shape(shape) => bail!("with --pass no material is seen on a shape ({shape})"),
-            Where::Default => bail!("where one material has a matte, every one has: MATERIAL@FILE"),
-        });
-        Ok((Masks::Mattes(mattes.collect::<anyhow::Result<_>>()?), Vec::new()))
-    }
-}
-
-fn open(path: &Path, kind: PlaneKind, channel: Option<&str>, warnings: &mut Vec<String>) -> anyhow::Result<Plane> {
-    let plane = Plane::open(path, kind, channel, &mut |_| ControlFlow::Continue(()))?;
-    warnings.extend(plane.warnings.iter().map(|warning| format!("{}: {warning}", path.display())));
-    Ok(plane)
-}
-
-fn seen(text: &str) -> anyhow::Result<Where> {
-    if let Some(id) = text.strip_prefix("id:") {
-        let id = id.strip_prefix('#').map_or_else(|| id.parse().ok(), |hex| u32::from_str_radix(hex, 16).ok());
-        return Ok(Where::Id(id.with_context(|| format!("“{text}” needs a whole number, like id:7 or id:#ff8000"))?));
-    }
-    let is_picture =
-        Path::new(text).extension().is_some_and(|e| e.eq_ignore_ascii_case("exr") || e.eq_ignore_ascii_case("png"));
-    if is_picture {
-        return Ok(Where::Matte(PathBuf::from(text)));
-    }
-    Ok(Where::Shape(text.parse()?))
 }
 
 fn table(plan: &Plan) -> Table {
@@ -335,25 +202,5 @@ const fn verdict(verdict: Verdict) -> &'static str {
         Verdict::TooFar => "too-far",
         Verdict::Farther => "farther",
         Verdict::Dearer => "dearer",
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_are_shapes_ids_or_mattes() {
-        ensure_place("sphere", Where::Shape(Shape::Sphere));
-        ensure_place("id:7", Where::Id(7));
-        ensure_place("id:#ff8000", Where::Id(0xff8000));
-        ensure_place("gold.EXR", Where::Matte(PathBuf::from("gold.EXR")));
-        for (text, reason) in [("id:x", "whole number"), ("id:-1", "whole number"), ("cube", "no shape")] {
-            assert!(seen(text).unwrap_err().to_string().contains(reason), "{text}");
-        }
-    }
-
-    fn ensure_place(text: &str, expected: Where) {
-        assert_eq!(seen(text).unwrap(), expected);
     }
 }

@@ -5,9 +5,9 @@ use super::drawing::{Align, Drawing, Label, Point};
 use super::output::Figure;
 use super::page::{Frame, HEADING, MARGIN, Page};
 use super::place::{Places, left_out_note};
-use super::style::{FigureTheme, em, model_dashes};
+use super::style::{FigureTheme, SOLID, em};
 
-/// Named points, in series that share a colour, with the Pareto front where both axes are costs.
+/// Named points, in series that share a colour, with the Pareto front as steps where both axes are costs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScatterFigure {
     /// What is shown.
@@ -26,8 +26,8 @@ pub struct ScatterFigure {
     pub series: Vec<String>,
     /// The points.
     pub points: Vec<ScatterPoint>,
-    /// Join the points that no other beats on both axes.
-    pub has_front: bool,
+    /// What the steps through the points on the front say; not said where it is empty.
+    pub front_name: String,
 }
 
 /// One point of a [`ScatterFigure`].
@@ -41,14 +41,34 @@ pub struct ScatterPoint {
     pub y: f64,
     /// Index of its series.
     pub series: usize,
+    /// True where no other point is as low and as far left; nowhere where the axes are no costs.
+    pub is_on_front: bool,
 }
 
 const LEFT: f64 = MARGIN + 48.0;
 const PANEL: (f64, f64) = (720.0, 420.0);
 const TOP: f64 = HEADING + 48.0;
 const DOT: f64 = 4.0;
+/// What a point on the front is larger by.
+const STANDS_OUT: f64 = 1.2;
+/// Width of the steps.
+const FRONT: f64 = 1.5;
+/// Length of the line beside their name.
+const SAMPLE: f64 = 20.0;
 
 impl ScatterFigure {
+    /// The corners of the steps through the points on the front, from left to right, in the values of the axes.
+    ///
+    /// Steps and no slopes: between two points nothing is lower than the left one.
+    pub fn front_steps(&self) -> Vec<Point> {
+        let mut on_front: Vec<Point> =
+            self.shown().into_iter().filter(|point| point.is_on_front).map(|point| (point.x, point.y)).collect();
+        on_front.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let first = on_front.first().copied();
+        let steps = on_front.windows(2).flat_map(|pair| [(pair[1].0, pair[0].1), pair[1]]);
+        first.into_iter().chain(steps).collect()
+    }
+
     /// The points that can be drawn.
     fn shown(&self) -> Vec<&ScatterPoint> {
         let fits = |value: f64, is_log: bool| value.is_finite() && (!is_log || value > 0.0);
@@ -76,20 +96,6 @@ impl ScatterFigure {
     }
 }
 
-/// The points that no other beats on both axes, from left to right.
-fn front<'a>(points: &[&'a ScatterPoint]) -> Vec<&'a ScatterPoint> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| (a.x, a.y).partial_cmp(&(b.x, b.y)).unwrap_or(std::cmp::Ordering::Equal));
-    let mut best = f64::INFINITY;
-    sorted.retain(|p| {
-        p.y < best && {
-            best = p.y;
-            true
-        }
-    });
-    sorted
-}
-
 impl Figure for ScatterFigure {
     fn drawing(&self, theme: FigureTheme) -> Drawing {
         let size = (LEFT + PANEL.0 + MARGIN + 8.0, TOP + PANEL.1 + 74.0);
@@ -97,19 +103,17 @@ impl Figure for ScatterFigure {
         let shown = self.shown();
         let (x, y) = self.axes(&shown);
         page.frame(&Frame { x, y, x_name: self.x_name.clone(), y_name: self.y_name.clone() });
-        let place = |p: &ScatterPoint| -> Point { (x.at(p.x), y.at(p.y)) };
-        let joined: Vec<Point> =
-            if self.has_front { front(&shown).into_iter().map(place).collect() } else { Vec::new() };
+        let steps: Vec<Point> = self.front_steps().into_iter().map(|(cost, error)| (x.at(cost), y.at(error))).collect();
         let mark = page.palette.mark;
-        page.drawing.line(&joined, 1.5, model_dashes(4), mark);
+        page.drawing.line(&steps, FRONT, SOLID, mark);
         self.key(&mut page);
-        let dots: Vec<Point> = shown.iter().map(|p| place(p)).collect();
+        let dots: Vec<Point> = shown.iter().map(|p| (x.at(p.x), y.at(p.y))).collect();
         for (point, &dot) in shown.iter().zip(&dots) {
             let ink = page.palette.models[point.series % page.palette.models.len()];
-            page.drawing.dot(dot, DOT + 1.2, page.palette.ground);
-            page.drawing.dot(dot, DOT, ink);
+            page.drawing.dot(dot, point.radius() + 1.2, page.palette.ground);
+            page.drawing.dot(dot, point.radius(), ink);
         }
-        let unnamed = self.names(&mut page, &shown, &dots, &joined);
+        let unnamed = names(&mut page, &shown, &dots, &steps);
         page.caption(&left_out_note(self.points.len() - shown.len(), unnamed), LEFT, size.1 - 14.0, Align::Left);
         page.drawing
     }
@@ -126,17 +130,34 @@ impl ScatterFigure {
             x += 14.0 + label.width() + 22.0;
             page.drawing.text(label);
         }
+        if !self.front_name.is_empty() {
+            page.drawing.rule((x, baseline - 4.0), (x + SAMPLE, baseline - 4.0), FRONT, page.palette.mark);
+            let label = Label::new(&self.front_name, x + SAMPLE + 6.0, baseline, em::LABEL, page.palette.ink);
+            page.drawing.text(label);
+        }
     }
+}
 
-    /// Names the points; gives back for how many there was no room.
-    fn names(&self, page: &mut Page, shown: &[&ScatterPoint], dots: &[Point], front: &[Point]) -> usize {
-        let limits = [LEFT + 2.0, TOP + 2.0, LEFT + PANEL.0 - 2.0, TOP + PANEL.1 - 2.0];
-        let mut places = Places::new(limits, dots, DOT + 1.0);
-        places.keep_clear_of(front);
-        let (ink, leader) = (page.palette.ink, page.palette.mark);
-        let named = shown.iter().zip(dots).filter(|(point, _)| !point.label.is_empty());
-        named.filter(|(point, dot)| !places.write(&mut page.drawing, &point.label, **dot, ink, leader)).count()
+impl ScatterPoint {
+    fn radius(&self) -> f64 {
+        if self.is_on_front { DOT + STANDS_OUT } else { DOT }
     }
+}
+
+/// Names the points, those on the front first; gives back for how many there was no room.
+fn names(page: &mut Page, shown: &[&ScatterPoint], dots: &[Point], front: &[Point]) -> usize {
+    let limits = [LEFT + 2.0, TOP + 2.0, LEFT + PANEL.0 - 2.0, TOP + PANEL.1 - 2.0];
+    let mut places = Places::new(limits, dots, DOT + STANDS_OUT + 1.0);
+    places.keep_clear_of(front);
+    let (ink, leader) = (page.palette.ink, page.palette.mark);
+    let mut named: Vec<(&ScatterPoint, Point)> = shown.iter().copied().zip(dots.iter().copied()).collect();
+    named.retain(|(point, _)| !point.label.is_empty());
+    named.sort_by_key(|(point, _)| !point.is_on_front);
+    let mut unnamed = 0;
+    for (point, dot) in named {
+        unnamed += usize::from(!places.write(&mut page.drawing, &point.label, dot, ink, leader));
+    }
+    unnamed
 }
 
 #[cfg(test)]
@@ -156,12 +177,12 @@ mod tests {
             is_y_log: false,
             series: vec!["Metals".to_owned(), "Others".to_owned()],
             points,
-            has_front: true,
+            front_name: "Nothing is lower and farther left".to_owned(),
         }
     }
 
     fn point(label: &str, x: f64, y: f64) -> ScatterPoint {
-        ScatterPoint { label: label.to_owned(), x, y, series: 0 }
+        ScatterPoint { label: label.to_owned(), x, y, series: 0, is_on_front: false }
     }
 
     #[test]
@@ -179,11 +200,15 @@ mod tests {
         assert_texts_are_legible(&figure(Vec::new()).drawing(FigureTheme::Dark));
     }
 
+    /// What costs 2 buys no more than what costs 1.
     #[test]
-    fn the_front_has_what_nothing_beats() {
-        let points =
-            [point("cheap", 1.0, 5.0), point("beaten", 2.0, 6.0), point("best", 3.0, 1.0), point("dear", 9.0, 1.0)];
-        let front: Vec<_> = front(&points.iter().collect::<Vec<_>>()).into_iter().map(|p| p.label.as_str()).collect();
-        assert_eq!(front, ["cheap", "best"]);
+    fn the_front_goes_in_steps() {
+        let on_front = |label: &str, x, y| ScatterPoint { is_on_front: true, ..point(label, x, y) };
+        let points = vec![on_front("best", 9.0, 1.0), on_front("cheap", 1.0, 5.0), point("beaten", 2.0, 6.0)];
+        let of = |points| ScatterFigure { is_x_log: true, ..figure(points) }.front_steps();
+        assert_eq!(of(points.clone()), [(1.0, 5.0), (9.0, 5.0), (9.0, 1.0)]);
+        assert_eq!(of(points[..1].to_vec()), [(9.0, 1.0)]);
+        assert_eq!(of(vec![on_front("free", 0.0, 9.0), points[0].clone()]), [(9.0, 1.0)], "what has no place");
+        assert!(of(vec![points[2].clone()]).is_empty());
     }
 }

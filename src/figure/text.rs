@@ -29,6 +29,7 @@ static FONTS: LazyLock<bool> = LazyLock::new(|| {
 
 /// The font at an em size, for plotters.
 pub(super) fn font(weight: Weight, em: f64) -> FontDesc<'static> {
+    // Looking is what registers them.
     assert!(*FONTS, "fonts that a test has read");
     let style = match weight {
         Weight::Regular => FontStyle::Normal,

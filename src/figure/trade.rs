@@ -11,6 +11,7 @@ pub fn trade_figure(material: &str, rows: &[TradeRow], options: &TradeOptions) -
             x: options.costs.of(row.variant).on(options.cost)?,
             y: row.error(options.measure),
             series: family(row.variant),
+            is_on_front: row.is_on_front,
         })
     };
     let exact = rows.iter().find(|row| row.variant == Variant::Exact);
@@ -25,7 +26,7 @@ pub fn trade_figure(material: &str, rows: &[TradeRow], options: &TradeOptions) -
         is_y_log: true,
         series: FAMILIES.map(str::to_owned).into(),
         points: rows.iter().filter(|row| row.error(options.measure) > 0.0).filter_map(point).collect(),
-        has_front: true,
+        front_name: "Nothing is as cheap and nearer to the truth".to_owned(),
     }
 }
 

@@ -33,8 +33,8 @@ pub enum FileProblem {
     Exists,
     #[error("it is read-only")]
     ReadOnly,
-    #[error("it is larger than {LARGEST_TEXT_MIB} MiB, the limit for a text")]
-    TooLarge,
+    #[error("it is larger than {0} MiB, the limit for a text")]
+    TooLarge(u64),
     #[error("it is not UTF-8 text")]
     NotUtf8,
     #[error(transparent)]
@@ -49,7 +49,12 @@ impl From<io::Error> for FileProblem {
 
 /// The text of a regular file of modest size: a preset, or measured data.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
-    text_of(path).map_err(|problem| FileError { path: path.to_owned(), problem })
+    read_text_within(path, LARGEST_TEXT_MIB)
+}
+
+/// The text of a regular file of at most so many MiB.
+pub fn read_text_within(path: &Path, limit_mib: u64) -> Result<String, FileError> {
+    text_of(path, limit_mib).map_err(|problem| FileError { path: path.to_owned(), problem })
 }
 
 /// Writes a whole file or nothing: a new file takes the old one's place, with its mode, once it is on disk.
@@ -80,15 +85,15 @@ pub fn place_file(path: &Path, bytes: &[u8], may_replace: bool) -> Result<Placed
 }
 
 /// The kind of the file is looked at first: opening a pipe would wait for ever.
-fn text_of(path: &Path) -> Result<String, FileProblem> {
+fn text_of(path: &Path, limit_mib: u64) -> Result<String, FileProblem> {
     if !fs::metadata(path)?.is_file() {
         return Err(FileProblem::NotRegular);
     }
-    let limit = LARGEST_TEXT_MIB << 20;
+    let limit = limit_mib << 20;
     let mut bytes = Vec::new();
     File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > limit {
-        return Err(FileProblem::TooLarge);
+        return Err(FileProblem::TooLarge(limit_mib));
     }
     String::from_utf8(bytes).map_err(|_| FileProblem::NotUtf8)
 }

@@ -47,7 +47,8 @@ fn out_of_gamut(preset: &Preset) -> Option<String> {
     Some(format!("{which} outside sRGB: the screen shows the nearest colour, the preset keeps the true one."))
 }
 
-fn capitalised(word: &str) -> String {
+/// With its first letter large.
+pub(crate) fn capitalised(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -30,7 +30,26 @@ impl Default for Angles {
     }
 }
 
+/// More than any picture has pixels: sums of so many keep their digits.
+const MOST_SEEN: f64 = 1e15;
+
 impl Angles {
+    /// The weights of the nodes, from grazing to facing; a sentence where they are none.
+    pub fn from_weights(weights: &[f64]) -> Result<Self, String> {
+        let count = || format!("there must be {NODES} weights, not {}", weights.len());
+        let weights: Box<[f64; NODES]> = Box::new(weights.try_into().map_err(|_| count())?);
+        match weights.iter().find(|weight| !(0.0..=MOST_SEEN).contains(*weight)) {
+            Some(weight) => Err(format!("a weight lies in 0–{MOST_SEEN:e}, unlike {weight:e}")),
+            None => Ok(Self { weights }),
+        }
+    }
+
+    /// The same angles, each seen so many times.
+    pub fn times(mut self, factor: f64) -> Self {
+        self.weights.iter_mut().for_each(|weight| *weight *= factor);
+        self
+    }
+
     /// Adds something seen at an angle, by its share of the picture; only finite weights above 0 count.
     pub fn add(&mut self, cos_theta: CosTheta, weight: f64) {
         let valid = if weight.is_finite() { weight.max(0.0) } else { 0.0 };
@@ -93,6 +112,19 @@ mod tests {
                 let deg = CosTheta::new(c).deg();
                 prop_assert!(smallest <= deg + 1e-6 && deg <= largest + 1e-6);
             }
+        }
+    }
+
+    #[test]
+    fn weights_of_a_file_are_as_many_as_nodes_and_finite() {
+        let weights = [2.0; NODES];
+        assert_eq!(Angles::from_weights(&weights).unwrap().weights(), &weights);
+        assert_eq!(Angles::from_weights(&weights).unwrap().times(0.5).total(), NODES as f64);
+        assert!(Angles::from_weights(&weights[1..]).unwrap_err().contains("257 weights, not 256"));
+        for wrong in [-1.0, f64::NAN, f64::INFINITY, 1e16] {
+            let mut weights = weights;
+            weights[3] = wrong;
+            assert!(Angles::from_weights(&weights).unwrap_err().contains("a weight lies in"), "{wrong}");
         }
     }
 

@@ -16,6 +16,21 @@ pub enum Source {
     Preset(Box<Preset>),
 }
 
+impl PartialEq for Source {
+    /// By what the data are and say of themselves, not by where they are kept.
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Metal(a), Self::Metal(b)) => Arc::ptr_eq(a, b) || says_the_same(a, b),
+            (Self::Preset(a), Self::Preset(b)) => a == b,
+            _ => false,
+        }
+    }
+}
+
+fn says_the_same(a: &Metal, b: &Metal) -> bool {
+    (&a.id, &a.name, &a.not_measured, a.table()) == (&b.id, &b.name, &b.not_measured, b.table())
+}
+
 /// A material, and the angles at which the scene sees it.
 #[derive(Clone, Debug)]
 pub struct SceneMaterial {

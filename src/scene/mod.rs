@@ -10,7 +10,9 @@
 //! | `material` | a material of a scene, and what it is measured against |
 //! | `curves` | a material in every variant, with its error at every angle |
 //! | `plan` | the choice for each material, and what the scene saves |
-//! | `plan_file` | the plan as versioned JSON |
+//! | `saved_scene` | the materials as a plan's file keeps them, so that they can be planned for again |
+//! | `scene_json` | these as JSON |
+//! | `plan_file` | the plan as versioned JSON, with what it was made from |
 //! | `plan_export` | its materials as files of other programs, without what the scene does not need |
 
 mod angles;
@@ -20,6 +22,8 @@ mod material;
 mod plan;
 mod plan_export;
 mod plan_file;
+mod saved_scene;
+mod scene_json;
 mod shape;
 mod target;
 mod tolerance;
@@ -32,7 +36,9 @@ pub use plan::{
     Judgement, MaterialPlan, Plan, PlanError, PlanOptions, Saved, Savings, Verdict, plan_scene, plan_with_curves,
 };
 pub use plan_export::{PlanExport, PlanExportError, PlannedFile};
-pub use plan_file::{PLAN_FORMAT, PlanFileError};
+pub use plan_file::{PLAN_FORMAT, PlanFileError, SavedPlan};
+pub use saved_scene::{Place, SavedMaterial, SavedPass, SavedScene, kept_path, scene_sentence};
+pub use scene_json::NotPlannable;
 pub use shape::{Shape, ShapeError};
 pub use target::Target;
 pub use tolerance::{SeenError, Tolerance};

@@ -87,6 +87,52 @@ fn nonsense_is_refused_in_a_sentence() {
     refusal(2, &["plan"]);
 }
 
+/// The same plan, whether it is made afresh or from one that was saved, of whatever its materials are and wherever they
+/// are seen; the files that it came from may be gone.
+#[test]
+fn a_saved_plan_is_planned_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let (ratio, ids) = ball(folder.path());
+    let [own, preset, saved] = ["own.csv", "mine.json", "plan.json"].map(|name| folder.path().join(name));
+    fs::write(&own, "wavelength_nm,n,k\n400,1.5,2\n500,.9,2.5\n600,.3,3\n700,.2,4\n").unwrap();
+    fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/copper.json"), &preset).unwrap();
+    let [own, preset, saved] = [&own, &preset, &saved].map(|path| path.to_str().unwrap());
+    let on_shapes = [&format!("{own}@card:0-70"), &format!("{preset}@floor:1.7:1-20"), "zinc", "0.9,0.7,0.4@cylinder"];
+    let by_ids = [&format!("{own}@id:1"), "zinc@id:2", "--pass", &ratio, "--ids", &ids];
+    let scenes: [(&[&str], &[&str]); 2] = [
+        (&on_shapes, &["--tolerance", "0.2", "--on", "p95", "--for", "texture-memory"]),
+        (&by_ids, &["--tolerance", "0.2", "--space", "acescg"]),
+    ];
+    let made = scenes.map(|(scene, asked)| {
+        let with = |more: &[&str]| json(&[&["plan"], scene, more, &["--json"]].concat());
+        let again = |more: &[&str]| json(&[&["plan", "--from", saved, "--json"], more].concat());
+        let first = with(&["--tolerance", "4", "-o", saved]);
+        let kept: Value = serde_json::from_slice(&fs::read(saved).unwrap()).unwrap();
+        assert_eq!(kept, first, "what is printed is what is saved");
+        assert_eq!(again(&[]), first, "nothing else is asked for");
+        let fresh = with(asked);
+        assert_ne!(fresh["materials"], first["materials"]);
+        assert_eq!(again(asked), fresh);
+        fs::read(saved).unwrap()
+    });
+    for file in [own, preset, &ratio, &ids] {
+        fs::remove_file(file).unwrap();
+    }
+    for plan in made {
+        fs::write(saved, plan).unwrap();
+        let again = edgewise(&["plan", "--from", saved, "--tolerance", "1"]);
+        assert!(
+            again.status.success() && stderr(&again).contains("own.csv is gone; the plan keeps"),
+            "{}",
+            stderr(&again)
+        );
+    }
+    assert!(refusal(2, &["plan", "gold", "--from", saved]).contains("cannot be used with"));
+    assert!(refusal(1, &["plan", "--from", "no.json"]).contains("no.json"));
+    fs::write(saved, "{\"edgewise_plan\": 2}").unwrap();
+    assert!(refusal(1, &["plan", "--from", saved]).contains("plan format 2"));
+}
+
 #[test]
 fn a_plan_drives_an_export_without_h() {
     let folder = tempfile::tempdir().unwrap();

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use edgewise::color::Rgb;
 use edgewise::metal::metal_by_name;
 use edgewise::preset::Preset;
-use edgewise::scene::{Plan, PlanOptions, SceneMaterial, Shape, Source, Target, Tolerance, plan_scene};
+use edgewise::scene::{Plan, PlanOptions, SavedPlan, SceneMaterial, Shape, Source, Target, Tolerance, plan_scene};
 use edgewise::study::{Costs, Measure, Subject, TradeOptions, Variant, no_progress, trade, trade_summary};
 use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -147,7 +147,7 @@ fn a_saved_plan_reopens_as_it_was() {
     file(&mut window, "Save plan…", "Save the plan", &path);
     assert!(window.shows("Wrote kitchen.json"));
     let tolerance = Tolerance { delta_e: 0.4, on: Measure::Max };
-    let plan = Plan::load(&path).unwrap();
+    let plan = SavedPlan::load(&path).unwrap().plan;
     assert_eq!(plan.materials, default_plan(&PlanOptions { tolerance, ..PlanOptions::default() }).materials);
 
     let mut window = open();
@@ -156,6 +156,133 @@ fn a_saved_plan_reopens_as_it_was() {
     assert_eq!(row_of(&window, "Zinc"), row);
     window.click("Back to the scene");
     assert!(window.shows(&default_plan(&PlanOptions::default()).summary()));
+}
+
+/// A file of the plan that a new window shows.
+fn save_default(path: &Path) {
+    let mut window = open();
+    file(&mut window, "Save plan…", "Save the plan", path);
+}
+
+fn opened(path: &Path) -> Window {
+    let mut window = open();
+    file(&mut window, "Open plan…", "Open a plan", path);
+    window
+}
+
+#[test]
+fn an_opened_plan_is_changed_and_planned_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, other) = (folder.path().join("kitchen.json"), folder.path().join("other.json"));
+    save_default(&path);
+    let mut window = opened(&path);
+    assert!(window.shows("It is shown as it was saved") && !window.shows("planned again"));
+    let before = row_of(&window, "Zinc");
+    window.enter("Tolerance, number", "0.2");
+    window.enter("Largest tilt of Gold", "80");
+    window.click("What is spared");
+    window.click(Target::TextureMemory.label());
+    assert!(window.shows("It was changed, and is planned again"));
+    assert_ne!(row_of(&window, "Zinc"), before);
+    file(&mut window, "Save plan…", "Save the plan", &other);
+    let tolerance = Tolerance { delta_e: 0.2, on: Measure::Max };
+    let options = PlanOptions { tolerance, target: Target::TextureMemory, ..PlanOptions::default() };
+    let card = Shape::Card { from_deg: 0.0, to_deg: 80.0 };
+    let materials = [on("gold", card), on("copper", Shape::Sphere), on("chromium", FLOOR), on("zinc", Shape::Sphere)];
+    let fresh = plan_scene(&materials, "", &options, &no_progress).unwrap();
+    assert_eq!(SavedPlan::load(&other).unwrap().plan.materials, fresh.materials);
+    assert!(window.shows(&fresh.summary()));
+
+    window.click("As it was saved");
+    assert!(window.shows("It is shown as it was saved"));
+    assert_eq!(row_of(&window, "Zinc"), before);
+    window.click("Remove Zinc");
+    assert!(window.shows("planned again") && !window.shows("Remove Zinc"));
+    window.click("Back to the scene");
+    assert!(window.shows(&default_plan(&PlanOptions::default()).summary()));
+}
+
+/// The pictures may be gone: their angles are in the plan.
+#[test]
+fn an_opened_plan_of_a_pass_needs_no_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let [ratio, ids, path] = ["facing.png", "ids.png", "shot.json"].map(|name| folder.path().join(name));
+    pass(&ratio);
+    GrayImage::from_fn(8, 4, |x, _| image::Luma([if x < 4 { 2 } else { 1 }])).save(&ids).unwrap();
+    let mut window = open();
+    for name in ["Zinc", "Chromium"] {
+        window.click(&format!("Remove {name}"));
+    }
+    window.click("Rendered pass");
+    window.enter("Path of the facing-ratio pass", ratio.to_str().unwrap());
+    window.click("How the materials of the pass are told apart");
+    window.click("Ids");
+    window.enter("Path of the picture of ids", ids.to_str().unwrap());
+    file(&mut window, "Save plan…", "Save the plan", &path);
+    window.enter("Tolerance, number", "0.01");
+    let fresh = ["Gold", "Copper"].map(|name| row_of(&window, name));
+
+    for picture in [&ratio, &ids] {
+        fs::remove_file(picture).unwrap();
+    }
+    let mut window = opened(&path);
+    assert!(window.shows("As saved are the angles"));
+    assert_ne!(row_of(&window, "Gold"), fresh[0]);
+    window.enter("Tolerance, number", "0.01");
+    assert_eq!(["Gold", "Copper"].map(|name| row_of(&window, name)), fresh);
+    assert!(window.shows("50 %, 80°"));
+    window.click("Where Gold is seen");
+    window.click("Card");
+    window.enter("Largest tilt of Gold", "40");
+    assert!(window.shows("50 %, 0–40°") && window.shows("50 %, 0°"), "gold is elsewhere, copper is where it was");
+    window.click("Where Gold is seen");
+    window.click("As saved");
+    assert_eq!(row_of(&window, "Gold"), fresh[0]);
+    window.click("Rendered pass");
+    assert!(window.shows("facing.png") && window.shows("no such file"), "what it is read from is known");
+}
+
+#[test]
+fn an_opened_plan_keeps_n_and_k_whose_file_is_gone_or_has_changed() {
+    let folder = tempfile::tempdir().unwrap();
+    let (alloy, path) = (folder.path().join("alloy.csv"), folder.path().join("plan.json"));
+    let rows = "wavelength_nm,n,k\n380,1.4,1.9\n480,1.1,2.3\n580,.4,2.9\n680,.2,3.6\n780,.2,4.4\n";
+    fs::write(&alloy, rows).unwrap();
+    let mut window = open();
+    window.click("Empty the list");
+    file(&mut window, "Add a file", "Add a preset, or n and k, to the plan", &alloy);
+    file(&mut window, "Save plan…", "Save the plan", &path);
+    window.enter("Tolerance, number", "0.05");
+    let fresh = row_of(&window, "alloy");
+    assert!(!opened(&path).shows("alloy.csv"), "nothing to say");
+
+    fs::write(&alloy, rows.replace("2.9", "2.4")).unwrap();
+    let mut window = opened(&path);
+    assert!(window.shows("alloy.csv has changed since the plan was saved"));
+    window.enter("Tolerance, number", "0.05");
+    assert_eq!(row_of(&window, "alloy"), fresh);
+    fs::remove_file(&alloy).unwrap();
+    assert!(opened(&path).shows("alloy.csv is gone; the plan keeps what it held"));
+}
+
+/// Of a plan that keeps no scene the page says so, and shows what it can.
+#[test]
+fn a_plan_of_an_older_version_is_looked_at() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("old.json");
+    save_default(&path);
+    let mut old: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    old.as_object_mut().unwrap().remove("made_from").unwrap();
+    fs::write(&path, old.to_string()).unwrap();
+    let mut window = opened(&path);
+    assert!(window.shows("The plan was saved before plans kept where their materials are seen"));
+    assert!(row_of(&window, "Zinc").contains("operations") && !window.shows("Remove Zinc"));
+    assert!(window.harness.query_by_label("Tolerance, number").is_none());
+    let out = folder.path().join("out");
+    file(&mut window, "Export…", "Export the materials of the plan into a folder", &out);
+    assert!(window.shows("Wrote 4 files into"));
+    window.click("Back to the scene");
+    assert!(window.shows("Remove Zinc"));
 }
 
 #[test]
@@ -185,6 +312,13 @@ fn files_that_are_none_are_one_sentence() {
     let mut window = open();
     file(&mut window, "Open plan…", "Open a plan", &bad);
     assert!(window.shows("plan format 7"));
+    let damaged = folder.path().join("damaged.json");
+    save_default(&damaged);
+    let mut plan: serde_json::Value = serde_json::from_slice(&fs::read(&damaged).unwrap()).unwrap();
+    plan["made_from"]["materials"][0]["weights"] = serde_json::json!([1.0, -2.0]);
+    fs::write(&damaged, plan.to_string()).unwrap();
+    file(&mut window, "Open plan…", "Open a plan", &damaged);
+    assert!(window.shows("“Gold”: there must be 257 weights, not 2"));
     file(&mut window, "Add a file", "Add a preset, or n and k, to the plan", &folder.path().join("none.json"));
     assert!(window.shows("no such file or folder"));
     assert!(window.shows(&default_plan(&PlanOptions::default()).summary()), "the plan is untouched");

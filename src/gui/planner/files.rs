@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::material::PlanMaterial;
+use super::material::{PlanMaterial, for_ever};
+use super::opened::ReadPlan;
 use super::planned::Planned;
 use super::trading::Chart;
 use crate::export::{Options, Target};
@@ -13,7 +14,6 @@ use crate::gui::demonstrations::Told;
 use crate::metal::Metal;
 use crate::preset::Preset;
 use crate::render::{SaveError, write_atomically};
-use crate::scene::Plan;
 
 /// What a file is to the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub(crate) enum PlanFile {
     Ids,
     /// The matte of an entry.
     Matte(u64),
-    /// A plan to look at.
+    /// A plan to look at and to change.
     Open,
     /// Where to write the plan.
     Save,
@@ -102,7 +102,7 @@ pub(super) enum Task {
 /// What came of it.
 pub(super) enum Done {
     Added(PlanMaterial, Vec<String>),
-    Opened(Arc<Planned>),
+    Opened(Box<ReadPlan>),
     Wrote,
     Exported(String),
 }
@@ -123,12 +123,9 @@ impl Task {
     pub(super) fn run(&self) -> Told<Done> {
         match self {
             Self::Add(path) => add(path),
-            Self::Open(path) => {
-                let plan = Plan::load(path).map_err(|error| error.to_string())?;
-                Planned::of_file(plan).map(Done::Opened).map_err(|error| format!("{}: {error}", path.display()))
-            }
+            Self::Open(path) => ReadPlan::read(path).map(|read| Done::Opened(Box::new(read))),
             Self::Save(path, planned) => {
-                planned.plan.save(path).map(|()| Done::Wrote).map_err(|error| error.to_string())
+                planned.saved().save(path).map(|()| Done::Wrote).map_err(|error| error.to_string())
             }
             Self::Export(folder, planned, target) => export(folder, planned, *target),
             Self::SaveChart(path, chart) => said(chart.figure.save(path, FigureTheme::Light)),
@@ -150,8 +147,7 @@ fn add(path: &Path) -> Told<Done> {
     if has_ending(path, &["csv", "yml", "yaml"]) {
         let metal = Metal::open(path).map_err(|error| error.to_string())?;
         let remarks = metal.remarks();
-        // As long as the program runs: the list, plans and charts refer to it.
-        return Ok(Done::Added(PlanMaterial::Metal(Box::leak(Box::new(metal))), remarks));
+        return Ok(Done::Added(PlanMaterial::Metal(for_ever(metal)), remarks));
     }
     let loaded = Preset::load(path).map_err(|error| error.to_string())?;
     Ok(Done::Added(PlanMaterial::Preset(Arc::new(loaded.preset)), loaded.warnings))

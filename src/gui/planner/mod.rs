@@ -2,7 +2,9 @@
 
 mod files;
 mod material;
+mod opened;
 mod planned;
+mod scene;
 mod seeing;
 mod trading;
 
@@ -13,20 +15,21 @@ use eframe::egui::Context;
 
 pub(crate) use self::files::PlanFile;
 use self::files::{Done, Task};
-use self::material::Resolved;
 pub(crate) use self::material::{Entry, PathField, PlanMaterial};
-use self::planned::PlanAsked;
+pub(crate) use self::opened::Opened;
+use self::opened::ReadPlan;
+use self::planned::{ListAsked, PlanAsked};
 pub(crate) use self::planned::{ListCurves, Look, Planned};
+pub(crate) use self::scene::PlanScene;
 pub(crate) use self::seeing::{Apart, SeenScene};
-use self::seeing::{ApartFiles, PassFiles, ReadPass, Seeing};
+use self::seeing::{PassFiles, ReadPass, Seeing};
 pub(crate) use self::trading::{Chart, ChartPoint, TradeOf, Trading};
 use super::demonstrations::{Latest, Told};
-use super::job::{Job, Poll};
-use crate::color::RgbSpace;
+use super::job::{Job, Poll, Progress};
 use crate::export;
-use crate::metal::{Metal, metal_by_name, preferred_metals};
+use crate::metal::Metal;
 use crate::preset::{Preset, Shelf};
-use crate::scene::{Shape, Target, Tolerance};
+use crate::scene::{Shape, kept_path};
 use crate::study::{Costs, measured_costs};
 
 /// What a person asks of the page.
@@ -65,7 +68,7 @@ impl PlannerView {
 }
 
 /// Something shared that is equal only to itself: large results are told apart without looking into them.
-pub(super) struct Same<T>(pub Arc<T>);
+pub(crate) struct Same<T>(pub Arc<T>);
 
 impl<T> Clone for Same<T> {
     fn clone(&self) -> Self {
@@ -83,29 +86,12 @@ impl<T> PartialEq for Same<T> {
 pub(crate) struct PlannerPage {
     /// What is on show.
     pub view: PlannerView,
-    /// The materials.
-    entries: Vec<Entry>,
-    next_id: u64,
+    /// The materials, and what is allowed.
+    pub scene: PlanScene,
     /// The place of the material that is looked at.
     pub selected: usize,
-    /// Whether a rendered pass says where materials are seen.
-    pub has_pass: bool,
-    /// The pass.
-    pub pass: PathField,
-    /// The channel of the pass; the likeliest where it is empty.
-    pub channel: String,
-    /// How its materials are told apart.
-    pub apart: Apart,
-    /// The picture of ids.
-    pub ids: PathField,
     /// How often files were asked to be read again.
     reads: u64,
-    /// What is allowed.
-    pub tolerance: Tolerance,
-    /// What is spared.
-    pub target: Target,
-    /// The space of parameters and differences.
-    pub space: RgbSpace,
     /// Whose files its materials are exported to.
     pub export_to: export::Target,
     /// The chart.
@@ -115,7 +101,7 @@ pub(crate) struct PlannerPage {
     passes: Latest<PassFiles, Told<Arc<ReadPass>>>,
     seen: Latest<(Vec<u64>, Seeing), Told<Arc<SeenScene>>>,
     plans: Latest<PlanAsked, Told<Arc<Planned>>>,
-    opened: Option<(PathBuf, Arc<Planned>)>,
+    opened: Option<Opened>,
     chart: Option<Arc<Chart>>,
     planned: Option<Arc<Planned>>,
     tasks: Vec<Job<Task, Told<Done>>>,
@@ -124,25 +110,13 @@ pub(crate) struct PlannerPage {
     pub said: Option<Told<String>>,
 }
 
-/// The materials of the list by their keys and as they are read, in a space.
-type ListAsked = (Vec<u64>, Vec<Resolved>, RgbSpace);
-
 impl Default for PlannerPage {
     fn default() -> Self {
-        let mut page = Self {
+        Self {
             view: PlannerView::default(),
-            entries: Vec::new(),
-            next_id: 0,
+            scene: PlanScene::default(),
             selected: 0,
-            has_pass: false,
-            pass: PathField::default(),
-            channel: String::new(),
-            apart: Apart::default(),
-            ids: PathField::default(),
             reads: 0,
-            tolerance: Tolerance::default(),
-            target: Target::default(),
-            space: RgbSpace::default(),
             export_to: export::Target::Glsl,
             trading: Trading::default(),
             costs: Costs::counted(),
@@ -156,29 +130,15 @@ impl Default for PlannerPage {
             tasks: Vec::new(),
             measuring: None,
             said: None,
-        };
-        for (name, shape) in TELLING {
-            if let Ok(metal) = metal_by_name(name) {
-                page.add_on(PlanMaterial::Metal(metal), shape);
-            }
         }
-        page
     }
 }
-
-/// What a new window plans for: where a metal is seen decides as much as which it is.
-const TELLING: [(&str, Shape); 4] = [
-    ("Gold", Shape::Card { from_deg: 0.0, to_deg: 60.0 }),
-    ("Copper", Shape::Sphere),
-    ("Chromium", Shape::Floor { eye_m: 1.7, near_m: 1.0, far_m: 20.0 }),
-    ("Zinc", Shape::Sphere),
-];
 
 impl PlannerPage {
     /// True while something is computed for what is on show: nothing else is followed, and can end.
     pub(crate) fn is_computing(&self) -> bool {
         match self.view {
-            PlannerView::Plan if self.opened.is_some() => false,
+            PlannerView::Plan if self.as_saved().is_some() => false,
             PlannerView::Plan => self.is_planning(),
             PlannerView::Trade => self.trading.is_busy(),
         }
@@ -200,43 +160,27 @@ impl PlannerPage {
 
     /// The materials.
     pub(crate) fn entries(&self) -> &[Entry] {
-        &self.entries
-    }
-
-    /// A material, to be seen elsewhere.
-    pub(crate) fn entry_mut(&mut self, index: usize) -> Option<&mut Entry> {
-        self.entries.get_mut(index)
+        self.scene.entries()
     }
 
     /// Adds a material at the end, and selects it.
     pub(crate) fn add(&mut self, material: PlanMaterial) {
-        self.add_on(material, Shape::Sphere);
-        self.selected = self.entries.len() - 1;
-        self.opened = None;
+        self.add_of(material, None);
     }
 
-    /// Adds every metal of the library that is not in the list.
-    pub(crate) fn add_all_metals(&mut self) {
-        for metal in preferred_metals() {
-            let is_metal =
-                |entry: &Entry| matches!(&entry.material, PlanMaterial::Metal(own) if std::ptr::eq(*own, metal));
-            if !self.entries.iter().any(is_metal) {
-                self.add_on(PlanMaterial::Metal(metal), Shape::Sphere);
-            }
+    fn add_of(&mut self, material: PlanMaterial, file: Option<String>) {
+        if self.is_fixed() {
+            self.close_opened();
         }
-    }
-
-    fn add_on(&mut self, material: PlanMaterial, shape: Shape) {
-        self.next_id += 1;
-        let object_id = self.entries.iter().map(|entry| entry.object_id).max().unwrap_or(0) + 1;
-        self.entries.push(Entry { id: self.next_id, material, shape, object_id, matte: PathField::default() });
+        self.scene.add(material, Shape::Sphere, file);
+        self.selected = self.entries().len() - 1;
     }
 
     /// Takes a material off the list.
     pub(crate) fn remove(&mut self, index: usize) {
-        if index < self.entries.len() {
-            self.entries.remove(index);
-            if self.selected > index || self.selected == self.entries.len() {
+        if index < self.entries().len() {
+            self.scene.remove(index);
+            if self.selected > index || self.selected == self.entries().len() {
                 self.selected = self.selected.saturating_sub(1);
             }
         }
@@ -244,7 +188,7 @@ impl PlannerPage {
 
     /// Empties the list.
     pub(crate) fn clear(&mut self) {
-        self.entries.clear();
+        self.scene.clear();
         self.selected = 0;
     }
 
@@ -284,24 +228,53 @@ impl PlannerPage {
         }
     }
 
-    /// The plan of a file that is looked at in place of the list's.
-    pub(crate) fn opened(&self) -> Option<&(PathBuf, Arc<Planned>)> {
+    /// The plan of a file.
+    pub(crate) fn opened(&self) -> Option<&Opened> {
         self.opened.as_ref()
     }
 
-    /// Back to the list.
+    /// True where the plan of a file is looked at that cannot be changed.
+    pub(crate) fn is_fixed(&self) -> bool {
+        self.opened.as_ref().is_some_and(|opened| opened.why_fixed().is_some())
+    }
+
+    /// The plan of a file while nothing of it is changed.
+    pub(crate) fn as_saved(&self) -> Option<&Arc<Planned>> {
+        self.opened.as_ref().filter(|opened| opened.is_as_saved(&self.scene)).map(|opened| &opened.planned)
+    }
+
+    /// The plan of a file as it was saved, whatever was changed since.
+    pub(crate) fn revert_opened(&mut self) {
+        if let Some(scene) = self.opened.as_ref().and_then(Opened::scene) {
+            self.scene.clone_from(scene);
+            self.selected = 0;
+        }
+    }
+
+    /// Back to what was planned for before a file was opened.
     pub(crate) fn close_opened(&mut self) {
-        self.opened = None;
-        self.selected = 0;
+        if let Some(opened) = self.opened.take() {
+            self.scene = opened.into_before();
+            (self.selected, self.planned) = (0, None);
+        }
+    }
+
+    fn open(&mut self, path: PathBuf, read: ReadPlan) {
+        self.close_opened();
+        let opened = Opened::on_page(path, read, &mut self.scene);
+        // Of its materials nothing is fitted twice.
+        self.planned = Some(opened.planned.clone());
+        self.opened = Some(opened);
+        (self.selected, self.view) = (0, PlannerView::Plan);
     }
 
     /// The newest plan there is, which may be of an older list, and sees to it that the one asked for follows; a sentence
     /// where there can be none.
     pub(crate) fn follow(&mut self, ctx: &Context, open: &Preset) -> Option<Told<Arc<Planned>>> {
-        if let Some((_, planned)) = &self.opened {
+        if let Some(planned) = self.as_saved() {
             return Some(Ok(planned.clone()));
         }
-        if self.entries.is_empty() {
+        if self.entries().is_empty() {
             self.planned = None;
             return None;
         }
@@ -322,72 +295,47 @@ impl PlannerPage {
         let asked = PlanAsked {
             curves: Same(curves),
             seen: Same(seen),
-            tolerance: self.tolerance,
-            target: self.target,
+            tolerance: self.scene.tolerance,
+            target: self.scene.target,
             costs: self.costs.clone(),
         };
         self.plans.of(ctx, "plan", asked, |asked, _| Planned::of(&asked)).cloned()
     }
 
-    fn ids_of_entries(&self) -> Vec<u64> {
-        self.entries.iter().map(|entry| entry.id).collect()
-    }
-
-    fn resolved(&self, open: &Preset) -> Vec<Resolved> {
-        self.entries.iter().map(|entry| entry.material.resolved(open)).collect()
-    }
-
     fn follow_curves(&mut self, ctx: &Context, open: &Preset) -> Option<Told<Arc<ListCurves>>> {
         let known = self.planned.as_ref().map(|planned| planned.curves.clone());
-        let input = (self.ids_of_entries(), self.resolved(open), self.space);
-        let curves = self.curves.of(ctx, "fit models", input, move |(entries, materials, space), progress| {
-            ListCurves::of(entries, &materials, space, known.as_deref(), progress)
-        });
-        curves.cloned()
+        let asked = ListAsked {
+            entries: self.scene.keys(),
+            materials: self.scene.resolved(open),
+            files: self.scene.files(),
+            space: self.scene.space,
+        };
+        let fit = move |asked, progress: &Progress| ListCurves::of(asked, known.as_deref(), progress);
+        self.curves.of(ctx, "fit models", asked, fit).cloned()
     }
 
     fn follow_seen(&mut self, ctx: &Context) -> Option<Told<Arc<SeenScene>>> {
-        let seeing = if self.has_pass {
+        let seeing = if self.scene.has_pass {
             match self.follow_pass(ctx)? {
-                Ok(read) => Seeing::Pass(Same(read), self.entries.iter().map(|entry| entry.object_id).collect()),
+                Ok(read) => Seeing::Pass(Same(read), self.scene.object_ids()),
                 Err(error) => return Some(Err(error)),
             }
         } else {
-            Seeing::Shapes(self.entries.iter().map(|entry| entry.shape).collect())
+            let (sights, pass) = self.scene.sights();
+            Seeing::Each(sights, pass)
         };
-        let input = (self.ids_of_entries(), seeing);
+        let input = (self.scene.keys(), seeing);
         self.seen.of(ctx, "angles", input, |(entries, seeing), _| SeenScene::of(entries, &seeing)).cloned()
     }
 
     fn follow_pass(&mut self, ctx: &Context) -> Option<Told<Arc<ReadPass>>> {
-        let files = match self.pass_files() {
+        let files = match self.scene.pass_files(self.reads) {
             Ok(files) => files,
             Err(missing) => return Some(Err(missing)),
         };
         let read = self.passes.of(ctx, "read pass", files, |files, progress| ReadPass::read(&files, progress)).cloned();
         // What was read before says nothing about these files, and may have another number of mattes.
         read.filter(|_| !self.passes.is_busy())
-    }
-
-    /// The files of the pass, or what is missing.
-    fn pass_files(&self) -> Told<PassFiles> {
-        let Some(pass) = self.pass.path() else {
-            return Err("Choose a facing-ratio pass: the cosine between normal and view, as OpenEXR or PNG".to_owned());
-        };
-        let apart = match self.apart {
-            Apart::Whole => ApartFiles::Whole,
-            Apart::Ids => match self.ids.path() {
-                Some(ids) => ApartFiles::Ids(ids.clone()),
-                None => return Err("Choose the picture of ids that belongs to the pass".to_owned()),
-            },
-            Apart::Mattes => {
-                let mattes: Option<Vec<PathBuf>> =
-                    self.entries.iter().map(|entry| entry.matte.path().cloned()).collect();
-                ApartFiles::Mattes(mattes.ok_or("Choose a matte for every material")?)
-            }
-        };
-        let channel = Some(self.channel.trim().to_owned()).filter(|channel| !channel.is_empty());
-        Ok(PassFiles { pass: pass.clone(), channel, apart, reads: self.reads })
     }
 
     /// The newest chart there is, and sees to it that the one asked for follows.
@@ -397,8 +345,8 @@ impl PlannerPage {
         open: &Preset,
         shelf: &Arc<Shelf>,
     ) -> Option<Told<Arc<Chart>>> {
-        let scene = if self.trading.of == TradeOf::Scene { self.resolved(open) } else { Vec::new() };
-        let told = self.trading.follow(ctx, scene, shelf, (self.space, &self.costs));
+        let scene = if self.trading.of == TradeOf::Scene { self.scene.resolved(open) } else { Vec::new() };
+        let told = self.trading.follow(ctx, scene, shelf, (self.scene.space, &self.costs));
         self.chart = told.as_ref().and_then(|told| told.as_ref().ok().cloned());
         told
     }
@@ -406,9 +354,9 @@ impl PlannerPage {
     /// Whether there is something to write.
     pub(crate) fn has(&self, file: PlanFile) -> bool {
         match file {
-            PlanFile::Export(_) if self.opened.is_some() => true,
-            PlanFile::Export(_) => self.planned.is_some() && !self.is_planning(),
-            PlanFile::Save => self.opened.is_none() && self.planned.is_some() && !self.is_planning(),
+            PlanFile::Save if self.is_fixed() => false,
+            PlanFile::Save | PlanFile::Export(_) if self.as_saved().is_some() => true,
+            PlanFile::Save | PlanFile::Export(_) => self.planned.is_some() && !self.is_planning(),
             PlanFile::Chart(_) | PlanFile::ChartData => self.chart.is_some() && !self.trading.is_busy(),
             _ => true,
         }
@@ -417,13 +365,13 @@ impl PlannerPage {
     /// Reads or writes a file.
     pub(crate) fn take(&mut self, ctx: &Context, file: PlanFile, path: PathBuf) {
         self.said = None;
-        let shown = self.opened.as_ref().map(|(_, planned)| planned).or(self.planned.as_ref());
+        let shown = self.as_saved().or(self.planned.as_ref());
         let task = match (file, shown, &self.chart) {
-            (PlanFile::Pass, ..) => return self.pass.set(path),
-            (PlanFile::Ids, ..) => return self.ids.set(path),
+            (PlanFile::Pass, ..) => return self.scene.pass.set(path),
+            (PlanFile::Ids, ..) => return self.scene.ids.set(path),
             (PlanFile::Matte(id), ..) => {
-                if let Some(entry) = self.entries.iter_mut().find(|entry| entry.id == id) {
-                    entry.matte.set(path);
+                if let Some(matte) = self.scene.matte_mut(id) {
+                    matte.set(path);
                 }
                 return;
             }
@@ -464,15 +412,11 @@ impl PlannerPage {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match done {
             Done::Added(material, warnings) => {
-                self.add(material);
+                self.add_of(material, Some(kept_path(&path)));
                 let warnings = warnings.iter().map(|warning| format!("; {warning}")).collect::<String>();
                 self.said = Some(Ok(format!("Added {name}{warnings}")));
             }
-            Done::Opened(planned) => {
-                self.selected = 0;
-                self.view = PlannerView::Plan;
-                self.opened = Some((path, planned));
-            }
+            Done::Opened(read) => self.open(path, *read),
             Done::Exported(sentence) => self.said = Some(Ok(sentence)),
             Done::Wrote => self.said = Some(Ok(format!("Wrote {name}"))),
         }
@@ -481,6 +425,6 @@ impl PlannerPage {
 
 impl std::fmt::Debug for PlannerPage {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("PlannerPage").field("entries", &self.entries.len()).finish_non_exhaustive()
+        f.debug_struct("PlannerPage").field("entries", &self.entries().len()).finish_non_exhaustive()
     }
 }

@@ -11,32 +11,40 @@ use crate::gui::demonstrations::{Band, Told};
 use crate::gui::job::Progress;
 use crate::metal::metals;
 use crate::scene::{
-    Angles, MaterialCurves, MaterialPlan, NODES, Plan, PlanOptions, SceneCurves, SceneMaterial, Source, Target,
-    Tolerance, plan_with_curves,
+    Angles, MaterialCurves, MaterialPlan, NODES, NotPlannable, Place, Plan, PlanOptions, SavedMaterial, SavedPlan,
+    SavedScene, SceneCurves, SceneMaterial, Source, Target, Tolerance, plan_with_curves,
 };
 use crate::study::{Costs, Variant, no_progress};
+
+/// The materials of the list, in a space.
+#[derive(Clone, PartialEq)]
+pub(super) struct ListAsked {
+    /// What tells them apart.
+    pub entries: Vec<u64>,
+    /// As they are read.
+    pub materials: Vec<Resolved>,
+    /// The files that they were read from.
+    pub files: Vec<Option<String>>,
+    pub space: RgbSpace,
+}
 
 /// The materials of the list in every variant.
 pub(crate) struct ListCurves {
     /// The entries, in the order of the curves.
     pub entries: Vec<u64>,
     sources: Vec<Source>,
+    files: Vec<Option<String>>,
     curves: SceneCurves,
 }
 
 impl ListCurves {
-    pub(super) fn of(
-        entries: Vec<u64>,
-        materials: &[Resolved],
-        space: RgbSpace,
-        known: Option<&Self>,
-        progress: &Progress,
-    ) -> Told<Arc<Self>> {
+    pub(super) fn of(asked: ListAsked, known: Option<&Self>, progress: &Progress) -> Told<Arc<Self>> {
+        let ListAsked { entries, materials, files, space } = asked;
         let sources: Vec<Source> = materials.iter().map(Resolved::source).collect();
         let each: Vec<&Source> = sources.iter().collect();
         let curves = SceneCurves::of(&each, space, known.map(|known| &known.curves), &|share| progress.report(share));
         let curves = curves.map_err(|error| error.to_string())?;
-        Ok(Arc::new(Self { entries, sources, curves }))
+        Ok(Arc::new(Self { entries, sources, files, curves }))
     }
 
     /// The curves of a material.
@@ -59,13 +67,13 @@ pub(super) struct PlanAsked {
 pub(crate) struct Planned {
     /// The plan.
     pub plan: Plan,
-    /// The entries, in the order of its materials; empty for a plan of a file.
+    /// The entries, in the order of its materials; empty for a plan of a file that cannot be changed.
     pub entries: Vec<u64>,
     /// One for each material.
     pub looks: Vec<Look>,
     /// The errors of every variant at every angle.
     pub curves: Arc<ListCurves>,
-    /// The angles; of a plan of a file nobody knows them.
+    /// The angles; of an old file nobody knows them.
     pub seen: Option<Arc<SeenScene>>,
 }
 
@@ -100,21 +108,62 @@ impl Planned {
     }
 
     /// A plan of a file: what it says stays as it was saved; the curves are those of its materials today.
-    pub(super) fn of_file(plan: Plan) -> Told<Arc<Self>> {
+    pub(super) fn of_file(saved: SavedPlan, entries: Vec<u64>) -> Told<Self> {
+        let SavedPlan { plan, scene } = saved;
         let space = plan.space;
-        let source = |material: &MaterialPlan| Source::Preset(Box::new(material.preset(space)));
-        let sources: Vec<Source> = plan.materials.iter().map(source).collect();
+        let preset = |material: &MaterialPlan| Source::Preset(Box::new(material.preset(space)));
+        let (sources, files, seen) = match scene {
+            Ok(scene) => taken_apart(scene, &plan, &entries),
+            Err(_) => (plan.materials.iter().map(preset).collect(), vec![None; plan.materials.len()], None),
+        };
         let each: Vec<&Source> = sources.iter().collect();
         let curves = SceneCurves::of(&each, space, None, &no_progress).map_err(|error| error.to_string())?;
-        let curves = Arc::new(ListCurves { entries: Vec::new(), sources, curves });
+        let curves = Arc::new(ListCurves { entries: entries.clone(), sources, files, curves });
         let look = |(index, material): (usize, &MaterialPlan)| {
             let look = Look::of(material, curves.get(index), space);
-            let is_known = material.metal.as_ref().is_none_or(|id| metals().iter().any(|metal| metal.id == *id));
+            let is_known =
+                seen.is_some() || material.metal.as_ref().is_none_or(|id| metals().iter().any(|m| m.id == *id));
             Look { truth: look.truth.filter(|_| is_known), ..look }
         };
         let looks = plan.materials.iter().enumerate().map(look).collect();
-        Ok(Arc::new(Self { plan, entries: Vec::new(), looks, curves, seen: None }))
+        Ok(Self { plan, entries, looks, curves, seen })
     }
+
+    /// The plan as a file keeps it.
+    pub(super) fn saved(&self) -> SavedPlan {
+        let ListCurves { sources, files, .. } = &*self.curves;
+        let scene = self.seen.as_ref().map(|seen| {
+            let each = sources.iter().zip(files).zip(seen.places.iter().zip(&seen.angles));
+            let material = |((source, file), (place, angles)): ((&Source, &Option<String>), (&Place, &Angles))| {
+                let (source, file) = (source.clone(), file.clone());
+                SavedMaterial { source, file, place: place.clone(), angles: angles.clone() }
+            };
+            SavedScene { materials: each.map(material).collect(), pass: seen.pass.clone() }
+        });
+        SavedPlan { plan: self.plan.clone(), scene: scene.ok_or(NotPlannable::Nothing) }
+    }
+}
+
+type Parts = (Vec<Source>, Vec<Option<String>>, Option<Arc<SeenScene>>);
+
+/// The scene of a file as what is computed from it here.
+fn taken_apart(scene: SavedScene, plan: &Plan, entries: &[u64]) -> Parts {
+    let mut seen = SeenScene {
+        entries: entries.to_vec(),
+        angles: Vec::new(),
+        places: Vec::new(),
+        pass: scene.pass,
+        scene: plan.scene.clone(),
+        warnings: Vec::new(),
+    };
+    let (mut sources, mut files) = (Vec::new(), Vec::new());
+    for SavedMaterial { source, file, place, angles } in scene.materials {
+        sources.push(source);
+        files.push(file);
+        seen.places.push(place);
+        seen.angles.push(angles);
+    }
+    (sources, files, Some(seen.into()))
 }
 
 /// Colours in each band: one for every two degrees.

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Same;
+use super::material::SavedSight;
 use crate::gui::demonstrations::Told;
 use crate::gui::job::Progress;
 use crate::photo::{Plane, PlaneKind};
-use crate::scene::{Angles, FacingPass, Masks, Seen, Shape};
+use crate::scene::{Angles, FacingPass, Masks, Place, SavedPass, Seen, Shape, kept_path, scene_sentence};
 
 /// How the materials of a pass are told apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,6 +53,7 @@ pub(super) enum ApartFiles {
 
 /// The pictures of a pass.
 pub(super) struct ReadPass {
+    files: PassFiles,
     pass: FacingPass,
     masks: Masks,
     scene: String,
@@ -79,15 +81,37 @@ impl ReadPass {
         };
         let Plane { width, height, channel, .. } = &ratio;
         let scene = format!("{}: {width} × {height} pixels of channel {channel}", files.pass.display());
-        Ok(Arc::new(Self { pass: FacingPass { ratio }, masks, scene, warnings }))
+        Ok(Arc::new(Self { files: files.clone(), pass: FacingPass { ratio }, masks, scene, warnings }))
     }
+
+    fn places(&self, ids: &[u32]) -> Vec<Place> {
+        match &self.files.apart {
+            ApartFiles::Whole => vec![Place::Whole; ids.len()],
+            ApartFiles::Ids(_) => ids.iter().map(|id| Place::Id(*id)).collect(),
+            ApartFiles::Mattes(paths) => paths.iter().map(|path| Place::Matte(kept_path(path))).collect(),
+        }
+    }
+
+    fn saved(&self, found: String) -> SavedPass {
+        let PassFiles { pass, channel, apart, .. } = &self.files;
+        let ids = if let ApartFiles::Ids(path) = apart { Some(kept_path(path)) } else { None };
+        SavedPass { file: kept_path(pass), channel: channel.clone(), ids, found }
+    }
+}
+
+/// Where one material is seen without a pass that is read.
+#[derive(Clone, PartialEq)]
+pub(super) enum Sight {
+    Shape(Shape),
+    /// As the file of a plan says.
+    Saved(Same<SavedSight>),
 }
 
 /// What the materials are looked for in.
 #[derive(Clone, PartialEq)]
 pub(super) enum Seeing {
-    /// A shape for each.
-    Shapes(Vec<Shape>),
+    /// Each by itself, and the pass of what is as saved.
+    Each(Vec<Sight>, Option<SavedPass>),
     /// A pass, and the number of each in its picture of ids.
     Pass(Same<ReadPass>, Vec<u32>),
 }
@@ -99,7 +123,11 @@ pub(crate) struct SeenScene {
     pub entries: Vec<u64>,
     /// One for each.
     pub angles: Vec<Angles>,
-    /// Where they come from, in a sentence.
+    /// One for each.
+    pub places: Vec<Place>,
+    /// The pass that some of them are seen in.
+    pub pass: Option<SavedPass>,
+    /// Where the angles come from, in a sentence.
     pub scene: String,
     /// What a person should know.
     pub warnings: Vec<String>,
@@ -107,31 +135,55 @@ pub(crate) struct SeenScene {
 
 impl SeenScene {
     pub(super) fn of(entries: Vec<u64>, seeing: &Seeing) -> Told<Arc<Self>> {
-        let (angles, scene, warnings) = match seeing {
-            Seeing::Shapes(shapes) => on_shapes(shapes)?,
-            Seeing::Pass(read, ids) => in_pass(&read.0, ids, entries.len())?,
+        let Found { angles, places, pass, warnings } = match seeing {
+            Seeing::Each(sights, pass) => each(sights, pass.as_ref())?,
+            Seeing::Pass(read, ids) => in_pass(&read.0, ids)?,
         };
-        Ok(Arc::new(Self { entries, angles, scene, warnings }))
+        let scene = scene_sentence(pass.as_ref().map(|pass| pass.found.as_str()), &places);
+        Ok(Arc::new(Self { entries, angles, places, pass, scene, warnings }))
     }
 }
 
-type Found = (Vec<Angles>, String, Vec<String>);
+struct Found {
+    angles: Vec<Angles>,
+    places: Vec<Place>,
+    pass: Option<SavedPass>,
+    warnings: Vec<String>,
+}
 
-fn on_shapes(shapes: &[Shape]) -> Told<Found> {
+/// Beside what a pass showed, a shape takes as much of the picture as one of these on average.
+fn each(sights: &[Sight], pass: Option<&SavedPass>) -> Told<Found> {
+    let saved: Vec<&SavedSight> = sights
+        .iter()
+        .filter_map(|sight| if let Sight::Saved(saved) = sight { Some(&*saved.0) } else { None })
+        .collect();
+    let total: f64 = saved.iter().map(|saved| saved.angles.total()).sum();
+    let weight = if total > 0.0 { total / saved.len() as f64 } else { 1.0 };
+    let pass = pass.filter(|_| !saved.is_empty()).cloned();
     let mut known: Vec<(Shape, Angles)> = Vec::new();
-    let mut angles = Vec::new();
-    for shape in shapes {
-        let shape = shape.checked().map_err(|error| error.to_string())?;
-        if !known.iter().any(|(other, _)| *other == shape) {
-            known.push((shape, shape.angles()));
-        }
-        angles.extend(known.iter().find(|(other, _)| *other == shape).map(|(_, angles)| angles.clone()));
+    let mut found = Found { angles: Vec::new(), places: Vec::new(), pass, warnings: Vec::new() };
+    for sight in sights {
+        let (place, angles) = match sight {
+            Sight::Saved(saved) => (saved.0.place.clone(), saved.0.angles.clone()),
+            Sight::Shape(shape) => (Place::Shape(*shape), on_shape(*shape, weight, &mut known)?),
+        };
+        found.places.push(place);
+        found.angles.push(angles);
     }
-    let labels: Vec<String> = known.iter().map(|(shape, _)| shape.label()).collect();
-    Ok((angles, labels.join("; "), Vec::new()))
+    Ok(found)
 }
 
-fn in_pass(read: &ReadPass, ids: &[u32], materials: usize) -> Told<Found> {
+fn on_shape(shape: Shape, weight: f64, known: &mut Vec<(Shape, Angles)>) -> Told<Angles> {
+    let shape = shape.checked().map_err(|error| error.to_string())?;
+    if let Some((_, angles)) = known.iter().find(|(other, _)| *other == shape) {
+        return Ok(angles.clone());
+    }
+    let angles = shape.angles().times(weight);
+    known.push((shape, angles.clone()));
+    Ok(angles)
+}
+
+fn in_pass(read: &ReadPass, ids: &[u32]) -> Told<Found> {
     if matches!(read.masks, Masks::Ids(_)) {
         let mut sorted = ids.to_vec();
         sorted.sort_unstable();
@@ -141,23 +193,44 @@ fn in_pass(read: &ReadPass, ids: &[u32], materials: usize) -> Told<Found> {
     }
     let Seen { mut angles, report } = read.pass.angles(&read.masks, ids)?;
     if matches!(read.masks, Masks::None) {
-        angles = vec![angles.remove(0); materials];
+        angles = vec![angles.remove(0); ids.len()];
     }
-    let scene = format!("{}, {} with a surface and {} without", read.scene, report.seen, report.background);
-    Ok((angles, scene, read.warnings.iter().cloned().chain(report.sentences()).collect()))
+    let found = format!("{}, {} with a surface and {} without", read.scene, report.seen, report.background);
+    let warnings = read.warnings.iter().cloned().chain(report.sentences()).collect();
+    Ok(Found { angles, places: read.places(ids), pass: Some(read.saved(found)), warnings })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn on(shapes: &[Shape]) -> Told<Arc<SeenScene>> {
+        let sights = shapes.iter().map(|shape| Sight::Shape(*shape)).collect();
+        SeenScene::of((0..shapes.len() as u64).collect(), &Seeing::Each(sights, None))
+    }
+
     #[test]
     fn equal_shapes_are_named_once_and_impossible_ones_are_a_sentence() {
-        let seen = SeenScene::of(vec![4, 7, 9], &Seeing::Shapes(vec![Shape::Sphere, Shape::Cylinder, Shape::Sphere]));
-        let seen = seen.unwrap();
+        let seen = on(&[Shape::Sphere, Shape::Cylinder, Shape::Sphere]).unwrap();
         assert_eq!((seen.angles.len(), seen.scene.as_str()), (3, "Sphere; Cylinder"));
         assert_eq!(seen.angles[0], seen.angles[2]);
+        assert_eq!(seen.angles[0], Shape::Sphere.angles());
         let card = Shape::Card { from_deg: 60.0, to_deg: 30.0 };
-        assert!(SeenScene::of(vec![1], &Seeing::Shapes(vec![card])).unwrap_err().contains("tilted"));
+        assert!(on(&[card]).unwrap_err().contains("tilted"));
+    }
+
+    #[test]
+    fn a_shape_beside_a_saved_pass_takes_its_share() {
+        let saved = |pixels| {
+            let angles = Shape::Cylinder.angles().times(pixels);
+            Sight::Saved(Same(SavedSight { place: Place::Whole, angles }.into()))
+        };
+        let pass = SavedPass { file: "a.exr".to_owned(), channel: None, ids: None, found: "a.exr: 400".to_owned() };
+        let sights = vec![saved(300.0), Sight::Shape(Shape::Sphere), saved(100.0)];
+        let seen = SeenScene::of(vec![1, 2, 3], &Seeing::Each(sights, Some(pass.clone()))).unwrap();
+        assert!((seen.angles[1].total() - 200.0).abs() < 1e-9);
+        assert_eq!((seen.scene.as_str(), &seen.pass), ("a.exr: 400; Sphere", &Some(pass.clone())));
+        let shapes = Seeing::Each(vec![Sight::Shape(Shape::Sphere)], Some(pass));
+        assert_eq!(SeenScene::of(vec![1], &shapes).unwrap().pass, None, "nothing is seen in it any more");
     }
 }

@@ -239,7 +239,7 @@ impl Chart {
             x: point.x,
             y: point.y,
             series: point.series,
-            is_on_front: row.is_on_front,
+            is_on_front: point.is_on_front,
         });
         Self { points: points.collect(), summary: trade_summary(&rows, &options), figure, rows }
     }

@@ -10,8 +10,9 @@ use crate::gui::command::Action;
 use crate::gui::planner::{Apart, PlanAction, PlanFile, PlannerPage, PlannerView, TradeOf};
 use crate::gui::state::State;
 use crate::gui::theme::{self, Palette};
+use crate::gui::warnings::capitalised;
 use crate::gui::widgets::{NumberField, row_label};
-use crate::scene::Target as Spared;
+use crate::scene::{Plan, Target as Spared};
 use crate::study::{CostAxis, Measure};
 
 /// The tolerances that the slider reaches; any other can be typed.
@@ -21,13 +22,15 @@ const TOLERANCES: std::ops::RangeInclusive<f64> = 0.02..=10.0;
 pub(super) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     let page = &mut state.planner;
     match page.view {
-        PlannerView::Plan if page.opened().is_some() => of_file(ui, page),
         PlannerView::Plan => {
-            ui.label(theme::title("Where materials are seen"));
-            seen(ui, page, actions);
-            ui.add_space(theme::GROUP_GAP);
-            ui.label(theme::title("What is allowed"));
-            allowed(ui, page);
+            of_file(ui, page);
+            if !page.is_fixed() {
+                ui.label(theme::title("Where materials are seen"));
+                seen(ui, page, actions);
+                ui.add_space(theme::GROUP_GAP);
+                ui.label(theme::title("What is allowed"));
+                allowed(ui, page);
+            }
         }
         PlannerView::Trade => {
             ui.label(theme::title("What it is of"));
@@ -38,24 +41,43 @@ pub(super) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     files(ui, page, actions);
 }
 
-/// A plan that was opened says what it was made for.
+/// A plan that was opened says what it was made for, and what has become of it.
 fn of_file(ui: &mut Ui, page: &mut PlannerPage) {
-    let Some((path, planned)) = page.opened() else { return };
-    let plan = &planned.plan;
+    let Some(opened) = page.opened() else { return };
+    let is_as_saved = page.as_saved().is_some();
     ui.label(theme::title("A saved plan"));
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    ui.add(Label::new(name).truncate()).on_hover_text(path.display().to_string());
-    let made_for = format!(
-        "Made for a {} of at most {}, sparing {}, in {}. It is shown as it was saved.",
+    let name = opened.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    ui.add(Label::new(name).truncate()).on_hover_text(opened.path.display().to_string());
+    let become_of_it = match is_as_saved {
+        true => "It is shown as it was saved",
+        false => "It was changed, and is planned again",
+    };
+    ui.add(Label::new(theme::hint(format!("{} {become_of_it}.", made_for(&opened.planned.plan)))).wrap());
+    let why_fixed = opened.why_fixed().map(ToString::to_string);
+    for remark in why_fixed.iter().chain(&opened.remarks) {
+        let warning = Palette::of(ui).warning;
+        ui.add(Label::new(theme::hint(format!("▲ {}", capitalised(remark))).color(warning)).wrap());
+    }
+    ui.horizontal(|ui| {
+        let back = ui.button("Back to the scene").on_hover_text("Plan for what was in the list before it was opened");
+        let was = ui.add_enabled(!is_as_saved, Button::new("As it was saved"));
+        if back.clicked() {
+            page.close_opened();
+        } else if was.on_hover_text("Take back what was changed since it was opened").clicked() {
+            page.revert_opened();
+        }
+    });
+    ui.add_space(theme::GROUP_GAP);
+}
+
+fn made_for(plan: &Plan) -> String {
+    format!(
+        "Made for a {} of at most {}, sparing {}, in {}.",
         plan.tolerance.on.label(),
         plan.tolerance.delta_e,
         spared(plan.target),
         plan.space.label()
-    );
-    ui.add(Label::new(theme::hint(made_for)).wrap());
-    if ui.button("Back to the scene").on_hover_text("Plan for the materials of the list again").clicked() {
-        page.close_opened();
-    }
+    )
 }
 
 const fn spared(target: Spared) -> &'static str {
@@ -68,18 +90,22 @@ const fn spared(target: Spared) -> &'static str {
 
 fn seen(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
-        ui.selectable_value(&mut page.has_pass, false, "Simple shapes")
+        ui.selectable_value(&mut page.scene.has_pass, false, "Simple shapes")
             .on_hover_text("A sphere, a cylinder, a card or a floor for each material");
-        ui.selectable_value(&mut page.has_pass, true, "Rendered pass")
+        ui.selectable_value(&mut page.scene.has_pass, true, "Rendered pass")
             .on_hover_text("A facing-ratio pass of the scene: the cosine between normal and view");
     });
-    if !page.has_pass {
+    if !page.scene.has_pass {
+        if page.scene.is_as_saved_somewhere() {
+            let saved = "As saved are the angles in the plan's file; Rendered pass reads the pictures again";
+            ui.add(Label::new(theme::hint(saved)).wrap());
+        }
         return;
     }
-    path_field(ui, &mut page.pass, "the facing-ratio pass", PlanFile::Pass, actions);
+    path_field(ui, &mut page.scene.pass, "the facing-ratio pass", PlanFile::Pass, actions);
     ui.horizontal(|ui| {
         row_label(ui, "Channel");
-        let channel = TextEdit::singleline(&mut page.channel).desired_width(ui.available_width());
+        let channel = TextEdit::singleline(&mut page.scene.channel).desired_width(ui.available_width());
         ui.add(channel.hint_text("the likeliest")).accessible_name("Channel of the pass");
     });
     ui.horizontal(|ui| {
@@ -87,14 +113,14 @@ fn seen(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
         combo(
             ui,
             "How the materials of the pass are told apart",
-            &mut page.apart,
+            &mut page.scene.apart,
             &Apart::ALL.map(|(a, name, _)| (a, name)),
         );
     });
-    if page.apart == Apart::Ids {
-        path_field(ui, &mut page.ids, "the picture of ids", PlanFile::Ids, actions);
+    if page.scene.apart == Apart::Ids {
+        path_field(ui, &mut page.scene.ids, "the picture of ids", PlanFile::Ids, actions);
     }
-    if page.pass.path().is_some()
+    if page.scene.pass.path().is_some()
         && ui.button("Read again").on_hover_text("Read the pictures again, where they have changed").clicked()
     {
         page.read_again();
@@ -104,31 +130,31 @@ fn seen(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
 fn allowed(ui: &mut Ui, page: &mut PlannerPage) {
     ui.horizontal(|ui| {
         row_label(ui, "ΔE2000 up to");
-        let tolerance = &mut page.tolerance.delta_e;
+        let tolerance = &mut page.scene.tolerance.delta_e;
         ui.spacing_mut().slider_width = ui.available_width() - 60.0 - 2.0 * theme::GAP;
         let slider = Slider::new(tolerance, TOLERANCES).logarithmic(true).show_value(false);
         let slider = slider.clamping(SliderClamping::Never);
         ui.add(slider).on_hover_text("How far from the truth a material may be").accessible_name("Tolerance");
-        let field = NumberField::new(&mut page.tolerance.delta_e, "Tolerance, number");
+        let field = NumberField::new(&mut page.scene.tolerance.delta_e, "Tolerance, number");
         field.precision(2, 0.01).range(0.0..=100.0).show(ui);
     });
     ui.horizontal(|ui| {
         row_label(ui, "of its");
         for (measure, name, what) in MEASURES {
-            ui.selectable_value(&mut page.tolerance.on, measure, name).on_hover_text(what);
+            ui.selectable_value(&mut page.scene.tolerance.on, measure, name).on_hover_text(what);
         }
     });
     ui.horizontal(|ui| {
         row_label(ui, "Spare");
-        let before = page.target;
-        combo(ui, "What is spared", &mut page.target, &Spared::ALL.map(|target| (target, target.label())));
+        let before = page.scene.target;
+        combo(ui, "What is spared", &mut page.scene.target, &Spared::ALL.map(|target| (target, target.label())));
         let has_times = page.costs().has_times() || page.times_progress().is_some();
-        if page.target != before && page.target == Spared::Offline && !has_times {
+        if page.scene.target != before && page.scene.target == Spared::Offline && !has_times {
             page.measure_times(ui.ctx());
         }
     });
     space(ui, page);
-    if page.target == Spared::Offline {
+    if page.scene.target == Spared::Offline {
         times(ui, page, ", so that operations are compared");
     }
 }
@@ -162,7 +188,7 @@ fn space(ui: &mut Ui, page: &mut PlannerPage) {
     ui.horizontal(|ui| {
         row_label(ui, "Space");
         let name = "Space of parameters and differences";
-        combo(ui, name, &mut page.space, &RgbSpace::ALL.map(|space| (space, space.label())));
+        combo(ui, name, &mut page.scene.space, &RgbSpace::ALL.map(|space| (space, space.label())));
     });
 }
 
@@ -238,8 +264,17 @@ fn files(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
     match page.view {
         PlannerView::Plan => {
             ui.horizontal(|ui| {
-                file(ui, page, (PlanFile::Save, "Save plan…", "The plan as JSON, for edgewise export --plan"), actions);
-                file(ui, page, (PlanFile::Open, "Open plan…", "Look at a plan that was saved"), actions);
+                file(
+                    ui,
+                    page,
+                    (
+                        PlanFile::Save,
+                        "Save plan…",
+                        "The plan as JSON, to be opened again or for edgewise export --plan",
+                    ),
+                    actions,
+                );
+                file(ui, page, (PlanFile::Open, "Open plan…", "Look at a plan that was saved, and change it"), actions);
             });
             export(ui, page, actions);
         }

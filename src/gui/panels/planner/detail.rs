@@ -17,9 +17,9 @@ use crate::study::Variant;
 /// Shows the material that is selected.
 pub(super) fn show(ui: &mut Ui, page: &PlannerPage, planned: &Planned) {
     let id = page.entries().get(page.selected).map(|entry| entry.id);
-    let at = match page.opened() {
-        Some(_) => Some(page.selected),
-        None => id.and_then(|id| planned.entries.iter().position(|own| *own == id)),
+    let at = match page.is_fixed() {
+        true => Some(page.selected),
+        false => id.and_then(|id| planned.entries.iter().position(|own| *own == id)),
     };
     let Some((at, material)) = at.and_then(|at| Some((at, planned.plan.materials.get(at)?))) else { return };
     ui.add_space(theme::GAP);
@@ -264,7 +264,8 @@ fn grid(ui: &Ui, rect: Rect, top: f64) {
 /// Round values that give two to five lines.
 fn marks(top: f64) -> impl Iterator<Item = f64> {
     let steps = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
-    let step = steps.into_iter().find(|step| top / step <= 5.0).unwrap_or(50.0);
+    let step =
+        steps.into_iter().find(|step| top / step <= 5.0).unwrap_or_else(|| 10_f64.powf((top / 5.0).log10().ceil()));
     // From whole numbers: 3 × 0.1 is not 0.3.
     (0..=(top / step) as u32).map(move |index| (f64::from(index) * step * 100.0).round() / 100.0)
 }

@@ -25,8 +25,8 @@ pub(super) fn show(
     planned: Option<&Planned>,
     actions: &mut Vec<Action>,
 ) {
-    let count = match (page.opened(), planned) {
-        (Some(_), Some(planned)) => planned.plan.materials.len(),
+    let count = match planned {
+        Some(planned) if page.is_fixed() => planned.plan.materials.len(),
         _ => page.entries().len(),
     };
     if count == 0 {
@@ -39,10 +39,15 @@ pub(super) fn show(
     list.max_height(all.min(room)).show_rows(ui, theme::PLAN_ROW, count, |ui, rows| {
         for index in rows {
             // By its own identity: what is typed stays in its row while others come and go.
-            let id = page.entries().get(index).map_or(index as u64, |entry| entry.id);
+            let id = id_of(page, index).unwrap_or(index as u64);
             ui.push_id(id, |ui| entry(ui, page, open, planned, index, actions));
         }
     });
+}
+
+/// What tells the entry of a row apart; `None` where a plan is looked at that has none.
+fn id_of(page: &PlannerPage, index: usize) -> Option<u64> {
+    page.entries().get(index).filter(|_| !page.is_fixed()).map(|entry| entry.id)
 }
 
 /// The places of the columns.
@@ -104,16 +109,15 @@ fn entry(
     index: usize,
     actions: &mut Vec<Action>,
 ) {
-    let is_of_file = page.opened().is_some();
-    let id = page.entries().get(index).map(|entry| entry.id);
+    let is_fixed = page.is_fixed();
     // The newest plan may be of an older list.
-    let at = planned.and_then(|planned| match id {
-        Some(id) if !is_of_file => planned.entries.iter().position(|own| *own == id),
-        _ => Some(index).filter(|_| is_of_file),
+    let at = planned.and_then(|planned| match id_of(page, index) {
+        Some(id) => planned.entries.iter().position(|own| *own == id),
+        None => Some(index).filter(|_| is_fixed),
     });
     let found = planned.zip(at).map(|(planned, at)| (planned, &planned.plan.materials[at], &planned.looks[at]));
     let name = match (found, page.entries().get(index)) {
-        (Some((_, material, _)), _) if is_of_file => material.name.clone(),
+        (Some((_, material, _)), _) if is_fixed => material.name.clone(),
         (_, Some(entry)) => entry.material.name(open).to_owned(),
         _ => return,
     };
@@ -131,7 +135,7 @@ fn entry(
                 ui.add(Label::new(theme::hint(seen(material))).truncate());
             }
         });
-        if !is_of_file {
+        if !is_fixed {
             ui.horizontal(|ui| place::show(ui, page, index, &name, actions));
         }
     });
@@ -140,7 +144,7 @@ fn entry(
         strip(ui, columns.strip.shrink2(Vec2::new(0.0, 2.0)), look, material);
         spoken = chosen(ui, &columns, planned, material, &name);
     }
-    if !is_of_file && remove(ui, columns.remove, &name).clicked() {
+    if !is_fixed && remove(ui, columns.remove, &name).clicked() {
         page.remove(index);
     }
     if response.accessible_name(spoken).clicked() {

@@ -11,8 +11,8 @@ use crate::scene::Shape;
 
 /// Shows what can be changed.
 pub(super) fn show(ui: &mut Ui, page: &mut PlannerPage, index: usize, name: &str, actions: &mut Vec<Action>) {
-    let way = page.has_pass.then_some(page.apart);
-    let Some(entry) = page.entry_mut(index) else { return };
+    let way = page.scene.has_pass.then_some(page.scene.apart);
+    let Some(entry) = page.scene.entry_mut(index) else { return };
     match way {
         None => shape(ui, entry, name),
         Some(Apart::Whole) => _ = ui.label(theme::hint("the whole pass")),
@@ -33,17 +33,24 @@ pub(super) fn show(ui: &mut Ui, page: &mut PlannerPage, index: usize, name: &str
 
 fn shape(ui: &mut Ui, entry: &mut Entry, name: &str) {
     let response = ComboBox::from_id_salt(("shape", entry.id))
-        .selected_text(kind(entry.shape))
+        .selected_text(if entry.is_as_saved { AS_SAVED } else { kind(entry.shape) })
         .show_ui(ui, |ui| {
+            if entry.saved.is_some() {
+                let what = "The angles of the pass that were saved with the plan";
+                ui.selectable_value(&mut entry.is_as_saved, true, AS_SAVED).on_hover_text(what);
+            }
             for choice in Shape::USUAL {
-                let is_chosen = kind(choice) == kind(entry.shape);
+                let is_chosen = !entry.is_as_saved && kind(choice) == kind(entry.shape);
                 if ui.selectable_label(is_chosen, kind(choice)).on_hover_text(choice.label()).clicked() && !is_chosen {
-                    entry.shape = choice;
+                    (entry.shape, entry.is_as_saved) = (choice, false);
                 }
             }
         })
         .response;
     response.on_hover_text("Where it is seen").accessible_name(format!("Where {name} is seen"));
+    if entry.is_as_saved {
+        return;
+    }
     match &mut entry.shape {
         Shape::Sphere | Shape::Cylinder => {}
         Shape::Card { from_deg, to_deg } => {
@@ -61,6 +68,8 @@ fn shape(ui: &mut Ui, entry: &mut Entry, name: &str) {
         }
     }
 }
+
+const AS_SAVED: &str = "As saved";
 
 fn angle(ui: &mut Ui, value: &mut f64, name: String) {
     NumberField::new(value, name).precision(0, 0.5).range(0.0..=90.0).width(40.0).suffix("°").show(ui);

@@ -18,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     let told = page.follow(ui.ctx(), &document.preset);
     summary(ui, page, told.as_ref());
     let planned = told.and_then(Result::ok);
-    if page.opened().is_none() {
+    if !page.is_fixed() {
         adding(ui, page, actions);
     }
     list::show(ui, page, &document.preset, planned.as_deref(), actions);
@@ -63,7 +63,7 @@ fn adding(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
         }
         let all = ui.button("All metals").on_hover_text("Add every metal of the library, seen on a sphere");
         if all.accessible_name("Add all metals").clicked() {
-            page.add_all_metals();
+            page.scene.add_all_metals();
         }
         ui.separator();
         let empty = ui.add_enabled(!page.entries().is_empty(), Button::new("Empty"));

@@ -76,7 +76,8 @@ fn draw(ui: &mut Ui, chart: &Chart) {
     let axes = Axes::of(rect, &chart.points);
     ui.painter().rect_filled(rect, CornerRadius::ZERO, Palette::of(ui).canvas);
     grid(ui, &axes, chart);
-    let front = front(&axes, chart);
+    let front: Vec<Pos2> =
+        chart.figure.front_steps().into_iter().map(|(cost, error)| pos2(axes.x_at(cost), axes.y_at(error))).collect();
     ui.painter().add(Shape::line(front.clone(), Stroke::new(1.5, Palette::of(ui).guide)));
     let dots: Vec<Pos2> = chart.points.iter().map(|point| axes.at(point)).collect();
     for (dot, point) in dots.iter().zip(&chart.points) {
@@ -113,7 +114,7 @@ fn key(ui: &mut Ui, chart: &Chart) {
         }
         let (place, _) = ui.allocate_exact_size(crate::gui::widgets::SAMPLE, Sense::hover());
         ui.painter().hline(place.x_range(), place.center().y, Stroke::new(1.5, Palette::of(ui).guide));
-        ui.label(theme::hint("Nothing is as cheap and nearer to the truth"));
+        ui.label(theme::hint(&chart.figure.front_name));
     });
 }
 
@@ -151,17 +152,6 @@ fn marks([low, high]: [f64; 2]) -> Vec<f64> {
 fn power(factor: i32, decade: i32) -> f64 {
     let factor = f64::from(factor);
     if decade < 0 { factor / 10_f64.powi(-decade) } else { factor * 10_f64.powi(decade) }
-}
-
-/// Steps from point to point: for the cost of one, nothing is nearer to the truth until the next.
-fn front(axes: &Axes, chart: &Chart) -> Vec<Pos2> {
-    let on_front: Vec<&ChartPoint> = chart.points.iter().filter(|point| point.is_on_front).collect();
-    let mut line = Vec::new();
-    for pair in on_front.windows(2) {
-        let (from, to) = (axes.at(pair[0]), axes.at(pair[1]));
-        line.extend([from, pos2(to.x, from.y), to]);
-    }
-    line
 }
 
 /// Names beside the points of the front first, then beside others, where there is room.
