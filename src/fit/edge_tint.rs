@@ -1,7 +1,7 @@
 //! Gulbrandsen's g for a curve: it has no closed form.
 
 use super::search::minimum_within;
-use crate::fresnel::{CosTheta, gulbrandsen};
+use crate::fresnel::{CosTheta, gulbrandsen_over_angles};
 use crate::number::larger;
 
 /// What "nearest" means when g is fitted to a channel's curve.
@@ -18,10 +18,15 @@ pub enum Nearness {
 ///
 /// The best of nine even steps of g, then Brent's method between its neighbours: no derivative is needed.
 pub fn g_nearest(samples: &[(CosTheta, f64)], r: f64, nearness: Nearness) -> f64 {
-    let difference = |g: f64, &(cos_theta, f): &(CosTheta, f64)| gulbrandsen(r, g, cos_theta) - f;
-    minimum_within(0.0..=1.0, 8, |g| match nearness {
-        Nearness::LeastSquares => samples.iter().map(|sample| difference(g, sample).powi(2)).sum(),
-        Nearness::MinMax => samples.iter().map(|sample| difference(g, sample).abs()).fold(0.0, larger),
+    let cosines: Vec<CosTheta> = samples.iter().map(|(cos_theta, _)| *cos_theta).collect();
+    minimum_within(0.0..=1.0, 8, |g| {
+        let mut curve = vec![f64::NAN; cosines.len()];
+        gulbrandsen_over_angles(r, g, &cosines, &mut curve);
+        let differences = curve.iter().zip(samples).map(|(shown, (_, f))| shown - f);
+        match nearness {
+            Nearness::LeastSquares => differences.map(|difference| difference.powi(2)).sum(),
+            Nearness::MinMax => differences.map(f64::abs).fold(0.0, larger),
+        }
     })
 }
 
@@ -30,7 +35,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::fresnel::whole_degrees;
+    use crate::fresnel::{gulbrandsen, whole_degrees};
 
     proptest! {
         #[test]

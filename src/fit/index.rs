@@ -6,7 +6,7 @@ use nalgebra::{Complex, Dyn, Matrix, OMatrix, OVector, U2, Vector2};
 
 use super::method::Triple;
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::{CosTheta, FresnelModel, Nk, conductor};
+use crate::fresnel::{CosTheta, FresnelModel, Nk, Root, conductor_over_angles};
 use crate::metal::Metal;
 use crate::spectrum::{FIRST_NM, rgb_weights};
 
@@ -46,7 +46,8 @@ pub(super) fn conductor_of(channels: [Nk; 3]) -> FresnelModel {
 /// Levenberg–Marquardt (Moré 1978) in ln n and ln k, which keeps both positive.
 pub fn nk_by_least_squares(samples: &[(CosTheta, f64)], start: Nk) -> Nk {
     let logarithms = Vector2::new(start.n.ln(), start.k.ln());
-    let problem = IndexProblem { samples, logarithms };
+    let (cosines, f): (Vec<CosTheta>, Vec<f64>) = samples.iter().copied().unzip();
+    let problem = IndexProblem { cosines: &cosines, f: &f, logarithms };
     // 1e-10: far below what eight bits or a measurement tell apart, and a third of the default's iterations.
     let solver = LevenbergMarquardt::new().with_ftol(1e-10).with_xtol(1e-10).with_gtol(1e-10);
     solver.minimize(problem).0.nk()
@@ -56,7 +57,9 @@ pub fn nk_by_least_squares(samples: &[(CosTheta, f64)], start: Nk) -> Nk {
 pub(super) const SMALLEST_START: f64 = 1e-3;
 
 struct IndexProblem<'a> {
-    samples: &'a [(CosTheta, f64)],
+    cosines: &'a [CosTheta],
+    /// The reflectance at each of them.
+    f: &'a [f64],
     logarithms: Vector2<f64>,
 }
 
@@ -80,14 +83,15 @@ impl LeastSquaresProblem<f64, Dyn, U2> for IndexProblem<'_> {
     }
 
     fn residuals(&self) -> Option<OVector<f64, Dyn>> {
-        let Nk { n, k } = self.nk();
-        let residuals = self.samples.iter().map(|&(cos_theta, f)| conductor(n, k, cos_theta) - f);
-        Some(OVector::<f64, Dyn>::from_iterator(self.samples.len(), residuals))
+        let mut residuals = OVector::<f64, Dyn>::zeros(self.cosines.len());
+        conductor_over_angles(self.nk(), self.cosines, residuals.as_mut_slice());
+        residuals.iter_mut().zip(self.f).for_each(|(residual, f)| *residual -= f);
+        Some(residuals)
     }
 
     fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U2>> {
         let nk = self.nk();
-        let slopes: Vec<[f64; 2]> = self.samples.iter().map(|&(cos_theta, _)| slope(nk, cos_theta)).collect();
+        let slopes: Vec<[f64; 2]> = self.cosines.iter().map(|&cos_theta| slope(nk, cos_theta)).collect();
         Some(Matrix::<f64, Dyn, U2, _>::from_fn(slopes.len(), |row, column| slopes[row][column]))
     }
 }
@@ -102,7 +106,8 @@ fn slope(Nk { n, k }: Nk, cos_theta: CosTheta) -> [f64; 2] {
     }
     let eta = Complex::new(n, k);
     let eps = eta * eta;
-    let w = (eps - (1.0 - c * c)).sqrt();
+    let Root { a, b } = Root::of(eps.re - (1.0 - c) * (1.0 + c), n * k);
+    let w = Complex::new(a, b);
     let w_slope = eta / w;
     let (s_sum, p_sum) = (w + c, eps * c + w);
     let (r_s, r_p) = ((-w + c) / s_sum, (eps * c - w) / p_sum);
@@ -117,7 +122,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::fresnel::whole_degrees;
+    use crate::fresnel::{conductor, whole_degrees};
     use crate::number::larger;
 
     proptest! {

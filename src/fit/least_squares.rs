@@ -1,6 +1,7 @@
 //! Closed-form least squares of one channel's curve, for the models that are linear in their colours.
 
 use super::search::minimum_within;
+use crate::color::Rgb;
 use crate::fresnel::{COS_THETA_MAX, CosTheta, PEAK_GAIN, Weights, schlick};
 
 /// r and h of the Hoffman curve nearest to samples (angle, F); `None` where the angles do not tell them apart.
@@ -44,15 +45,13 @@ pub fn schlick_r_by_least_squares(samples: impl IntoIterator<Item = (CosTheta, f
     (square > 0.0).then(|| product / square)
 }
 
-/// `a` of the Lazányi curve nearest to samples (angle, F) at a given r and α.
-fn a_by_least_squares(samples: &[(CosTheta, f64)], r: f64, alpha: f64) -> f64 {
-    let (mut product, mut square) = (0.0, 0.0);
-    for &(cos_theta, f) in samples {
-        let correction = correction(cos_theta, alpha);
-        product += correction * (schlick(r, cos_theta) - f);
-        square += correction * correction;
-    }
-    product / square
+/// The multiple of a shape nearest to three curves, channel by channel, and the sum of the squares that remain.
+fn nearest_multiple(shape: &[f64], curves: &[Rgb]) -> (Rgb, f64) {
+    let both = || shape.iter().zip(curves);
+    let product = both().fold(Rgb::BLACK, |sum, (shape, curve)| sum + *curve * *shape);
+    let multiple = product / shape.iter().map(|shape| shape * shape).sum::<f64>();
+    let remains = both().fold(Rgb::BLACK, |sum, (shape, curve)| sum + (*curve - multiple * *shape).map(|f| f * f));
+    (multiple, remains.0.iter().sum())
 }
 
 /// c (1 − c)^α, the shape of the correction.
@@ -64,49 +63,36 @@ fn correction(cos_theta: CosTheta, alpha: f64) -> f64 {
 /// Where α is looked for: the correction then peaks between 30° and 88°.
 const ALPHAS: std::ops::RangeInclusive<f64> = 0.15..=30.0;
 
-/// `a` for each channel and the shared α nearest to three curves (angle, F) with given r.
+/// `a` for each channel and the shared α nearest to three curves with given r.
 ///
 /// For each α the best `a` is closed form, so that one variable is searched (Golub & Pereyra 1973, variable projection).
-pub(super) fn a_alpha_by_least_squares(channels: &[Vec<(CosTheta, f64)>; 3], r: [f64; 3]) -> ([f64; 3], f64) {
-    let a_of = |alpha: f64| std::array::from_fn(|i| a_by_least_squares(&channels[i], r[i], alpha));
-    let misfit = |alpha: f64| {
-        let a: [f64; 3] = a_of(alpha);
-        let of_channel = |i: usize| -> f64 {
-            let residual = |&(c, f): &(CosTheta, f64)| schlick(r[i], c) - a[i] * correction(c, alpha) - f;
-            channels[i].iter().map(|sample| residual(sample).powi(2)).sum()
-        };
-        (0..3).map(of_channel).sum()
+pub(super) fn a_alpha_by_least_squares(samples: &[(CosTheta, Rgb)], r: Rgb) -> (Rgb, f64) {
+    let below_schlick: Vec<Rgb> = samples.iter().map(|&(c, f)| r.map(|r| schlick(r, c)) - f).collect();
+    let nearest = |alpha: f64| {
+        let shape: Vec<f64> = samples.iter().map(|(c, _)| correction(*c, alpha)).collect();
+        nearest_multiple(&shape, &below_schlick)
     };
-    let alpha = minimum_within(ALPHAS, 24, misfit);
-    (a_of(alpha), alpha)
+    let alpha = minimum_within(ALPHAS, 24, |alpha| nearest(alpha).1);
+    (nearest(alpha).0, alpha)
 }
 
 /// Where the exponent of generalized Schlick is looked for. Above it the curves come again, p = 7 as p = 6 with
 /// another t, since c x⁶ = x⁶ − x⁷.
 const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=6.5;
 
-/// t for each channel and the shared exponent p nearest to three curves (angle, F), with given r0 and white at grazing.
-pub(super) fn t_exponent_by_least_squares(channels: &[Vec<(CosTheta, f64)>; 3], r0: [f64; 3]) -> ([f64; 3], f64) {
-    let base = |i: usize, p: f64, c: f64| r0[i] + (1.0 - r0[i]) * (1.0 - c).powf(p);
-    let a_of = |i: usize, p: f64| {
-        let (mut product, mut square) = (0.0, 0.0);
-        for &(cos_theta, f) in &channels[i] {
-            let correction = correction(cos_theta, 6.0);
-            product += correction * (base(i, p, cos_theta.get()) - f);
-            square += correction * correction;
-        }
-        product / square
+/// t for each channel and the shared exponent p nearest to three curves, with given r0 and white at grazing.
+pub(super) fn t_exponent_by_least_squares(samples: &[(CosTheta, Rgb)], r0: Rgb) -> (Rgb, f64) {
+    let base = |p: f64, c: f64| {
+        let power = (1.0 - c).powf(p);
+        r0.map(|r0| r0 + (1.0 - r0) * power)
     };
-    let misfit = |p: f64| {
-        let of_channel = |i: usize| -> f64 {
-            let a = a_of(i, p);
-            let residual = |&(c, f): &(CosTheta, f64)| base(i, p, c.get()) - a * correction(c, 6.0) - f;
-            channels[i].iter().map(|sample| residual(sample).powi(2)).sum()
-        };
-        (0..3).map(of_channel).sum()
+    let shape: Vec<f64> = samples.iter().map(|(c, _)| correction(*c, 6.0)).collect();
+    let nearest = |p: f64| {
+        let below_base: Vec<Rgb> = samples.iter().map(|&(c, f)| base(p, c.get()) - f).collect();
+        nearest_multiple(&shape, &below_base)
     };
-    let p = minimum_within(EXPONENTS, 24, misfit);
-    (std::array::from_fn(|i| 1.0 - a_of(i, p) / (PEAK_GAIN * base(i, p, COS_THETA_MAX))), p)
+    let p = minimum_within(EXPONENTS, 24, |p| nearest(p).1);
+    (nearest(p).0.zip(base(p, COS_THETA_MAX), |a, base| 1.0 - a / (PEAK_GAIN * base)), p)
 }
 
 #[cfg(test)]
@@ -142,18 +128,20 @@ mod tests {
 
         #[test]
         fn lazanyi_gives_its_parameters_back(r in 0.3..0.95_f64, a in 0.3..2.0_f64, alpha in 1.0..12.0_f64) {
-            let channels = [0.8, 1.0, 1.2].map(|scale| curve(|c| lazanyi(r, a * scale, alpha, c)));
-            let (a_back, alpha_back) = a_alpha_by_least_squares(&channels, [r; 3]);
-            prop_assert!((alpha_back - alpha).abs() < 1e-5 && (a_back[1] - a).abs() < 1e-5, "{alpha_back}");
+            let a = Rgb([0.8, 1.0, 1.2]) * a;
+            let samples: Vec<_> = whole_degrees().map(|c| (c, a.map(|a| lazanyi(r, a, alpha, c)))).collect();
+            let (a_back, alpha_back) = a_alpha_by_least_squares(&samples, Rgb::splat(r));
+            prop_assert!((alpha_back - alpha).abs() < 1e-5 && a_back.max_abs_difference(a) < 1e-5, "{alpha_back}");
         }
 
         #[test]
         fn generalized_schlick_gives_its_curve_back(r in 0.3..0.9_f64, t in 0.5..1.1_f64, p in 3.0..6.5_f64) {
-            let r0 = [0.9, 1.0, 0.8].map(|scale| r * scale);
-            let channels = r0.map(|r| curve(|c| generalized_schlick(r, t, 1.0, p, c)));
-            let (t_back, p_back) = t_exponent_by_least_squares(&channels, r0);
-            for &(c, f) in &channels[1] {
-                prop_assert!((generalized_schlick(r, t_back[1], 1.0, p_back, c) - f).abs() < 1e-6, "{p_back} {t_back:?}");
+            let r0 = Rgb([0.9, 1.0, 0.8]) * r;
+            let curve = |t: Rgb, p, c| r0.zip(t, |r0, t| generalized_schlick(r0, t, 1.0, p, c));
+            let samples: Vec<_> = whole_degrees().map(|c| (c, curve(Rgb::splat(t), p, c))).collect();
+            let (t_back, p_back) = t_exponent_by_least_squares(&samples, r0);
+            for (c, f) in samples {
+                prop_assert!(curve(t_back, p_back, c).max_abs_difference(f) < 1e-6, "{p_back} {t_back:?}");
             }
         }
     }

@@ -59,6 +59,18 @@ pub fn fit_to_truth(
     method: Method,
     keep_going: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Fit, FitError> {
+    let (model, losses) = model_of_truth(metal, truth, kind, method, keep_going)?;
+    Ok(Fit { model, method, space: truth.space, error: CurveError::of(&model, truth), losses })
+}
+
+/// The model of [`fit_to_truth`] and what its parameters could not express, for who measures its error otherwise.
+pub fn model_of_truth(
+    metal: &Metal,
+    truth: &TruthCurve,
+    kind: ModelKind,
+    method: Method,
+    keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<(FresnelModel, Vec<Loss>), FitError> {
     let mut losses = Vec::new();
     let model = match method {
         _ if !method.applies_to(kind) => return Err(FitError::NotForThisModel { kind, method }),
@@ -66,7 +78,7 @@ pub fn fit_to_truth(
         Method::LeastSquares => by_least_squares(truth, kind, &mut losses),
         _ => closed_form(metal, truth, kind, method, &mut losses),
     };
-    Ok(Fit { model, method, space: truth.space, error: CurveError::of(&model, truth), losses })
+    Ok((model, losses))
 }
 
 /// The methods that only read values off the metal.
@@ -144,7 +156,7 @@ pub(super) fn r_with_index(r: Rgb, largest: f64, losses: &mut Vec<Loss>) -> Rgb 
 
 fn by_least_squares(truth: &TruthCurve, kind: ModelKind, losses: &mut Vec<Loss>) -> FresnelModel {
     let of_channels = |f: &dyn Fn(usize) -> f64| Rgb(std::array::from_fn(f));
-    let samples = || std::array::from_fn(|channel| truth.channel(channel).collect::<Vec<(CosTheta, f64)>>());
+    let samples = || truth.samples().collect::<Vec<(CosTheta, Rgb)>>();
     let r = truth.r();
     match kind {
         ModelKind::Constant => {
@@ -155,8 +167,8 @@ fn by_least_squares(truth: &TruthCurve, kind: ModelKind, losses: &mut Vec<Loss>)
             FresnelModel::Schlick { r: of_channels(&|i| schlick_r_by_least_squares(truth.channel(i)).unwrap_or(r[i])) }
         }
         ModelKind::Lazanyi => {
-            let (a, alpha) = a_alpha_by_least_squares(&samples(), r.0);
-            FresnelModel::Lazanyi { r, a: Rgb(a), alpha }
+            let (a, alpha) = a_alpha_by_least_squares(&samples(), r);
+            FresnelModel::Lazanyi { r, a, alpha }
         }
         ModelKind::Hoffman | ModelKind::F82Tint => {
             let channels: [(f64, f64); 3] =
@@ -164,8 +176,8 @@ fn by_least_squares(truth: &TruthCurve, kind: ModelKind, losses: &mut Vec<Loss>)
             exact(kind, Rgb(channels.map(|(r, _)| r)), Rgb(channels.map(|(_, h)| h)))
         }
         ModelKind::GeneralizedSchlick => {
-            let (t, p) = t_exponent_by_least_squares(&samples(), r.0);
-            FresnelModel::GeneralizedSchlick { r0: r, t: Rgb(t), r90: Rgb::WHITE, p }
+            let (t, p) = t_exponent_by_least_squares(&samples(), r);
+            FresnelModel::GeneralizedSchlick { r0: r, t, r90: Rgb::WHITE, p }
         }
         ModelKind::Gulbrandsen => gulbrandsen_nearest(truth, Nearness::LeastSquares, losses),
         ModelKind::Conductor => conductor_of(nearest_nk(truth)),

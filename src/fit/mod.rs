@@ -21,7 +21,7 @@ pub use edge_tint::{Nearness, g_nearest};
 pub use index::nk_by_least_squares;
 pub use least_squares::{h_by_least_squares, r_h_by_least_squares, schlick_r_by_least_squares};
 pub use loss::Loss;
-pub use metal_fit::{Fit, FitError, fit, fit_to_truth};
+pub use metal_fit::{Fit, FitError, fit, fit_to_truth, model_of_truth};
 pub use method::{Method, Triple};
 pub use nearest::nearest_conductor;
 pub use search::Stopped;

@@ -26,8 +26,8 @@ pub(super) fn minimum_within(interval: RangeInclusive<f64>, panels: u32, f: impl
     }
     let width = (high - low) / f64::from(panels);
     let steps = (0..=panels).map(|panel| low + width * f64::from(panel));
-    let smaller = |best: (f64, f64), x: f64| if f(x) <= best.1 { (x, f(x)) } else { best };
-    let (nearest, value) = steps.fold((high, f64::INFINITY), smaller);
+    let smaller = |best: (f64, f64), (x, value): (f64, f64)| if value <= best.1 { (x, value) } else { best };
+    let (nearest, value) = steps.map(|x| (x, f(x))).fold((high, f64::INFINITY), smaller);
     let inside = brent((nearest - width).max(low), (nearest + width).min(high), &f);
     if f(inside) < value { inside } else { nearest }
 }

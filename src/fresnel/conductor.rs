@@ -12,15 +12,47 @@ use super::CosTheta;
 pub fn conductor(n: f64, k: f64, cos_theta: CosTheta) -> f64 {
     let c = cos_theta.get();
     if c == 0.0 {
-        return 1.0;
+        1.0
+    } else if has_room(n, k, c) {
+        with_room(n, k, c)
+    } else {
+        without_room(n, k, c)
     }
-    let c2 = c * c;
-    let sin2 = 1.0 - c2;
+}
+
+/// How far from 1 the larger of n and k and the cosine may be for [`with_room`].
+const ROOM: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
+
+/// True where every product of [`with_room`] is a number and both polarisations divide by more than 0; not for NaN.
+#[inline(always)]
+pub(super) fn has_room(n: f64, k: f64, c: f64) -> bool {
+    let larger = if n > k { n } else { k };
+    // No branch, so that many are asked at once.
+    (larger >= *ROOM.start()) & (larger <= *ROOM.end()) & (c >= *ROOM.start())
+}
+
+/// The reflectance where [`has_room`], which metals have at all angles but 90°. Without a branch, so that several are
+/// computed at once; both quotients have one division.
+#[inline(always)]
+pub(super) fn with_room(n: f64, k: f64, c: f64) -> f64 {
+    let (real, nk) = ((n - k) * (n + k), n * k);
+    let t0 = real - (1.0 - c) * (1.0 + c);
+    let Root { a, b } = Root::of_modulus((t0 * t0 + 4.0 * nk * nk).sqrt(), t0, nk);
+    // ε c with ε = (a + i b)² + sin²θ; r_p = (ε c − (a + i b)) / (ε c + (a + i b)).
+    let (re, im) = (real * c, 2.0 * nk * c);
+    let (s_above, s_below) = (squared((a - c, b)), squared((a + c, b)));
+    let (p_above, p_below) = (squared((re - a, im - b)), squared((re + a, im + b)));
+    0.5 * (s_above * p_below + p_above * s_below) / (s_below * p_below)
+}
+
+/// The same for every other n and k, down to 0 and up to the largest number.
+#[cold]
+fn without_room(n: f64, k: f64, c: f64) -> f64 {
+    let sin2 = (1.0 - c) * (1.0 + c);
     let unit = unit_of(n, k);
     let (n, k) = (n * unit, k * unit);
     let Root { a, b } = Root::of(n * n - k * k - sin2 * unit * unit, n * k);
     let s = quotient((a - c * unit, b), (a + c * unit, b));
-    // ε c with ε = (a + i b)² + sin²θ; r_p = (ε c − (a + i b)) / (ε c + (a + i b)).
     let (re, im) = (((n - k) * (n + k)) * c, 2.0 * n * k * c);
     let (a, b) = (a * unit, b * unit);
     let p = quotient((re - a, im - b), (re + a, im + b));
@@ -28,15 +60,20 @@ pub fn conductor(n: f64, k: f64, cos_theta: CosTheta) -> f64 {
 }
 
 /// √(ε − sin²θ) = a + i b.
-struct Root {
-    a: f64,
-    b: f64,
+pub(crate) struct Root {
+    pub(crate) a: f64,
+    pub(crate) b: f64,
 }
 
 impl Root {
-    /// The root of t0 + 2 i nk, each part from the sum that does not cancel.
-    fn of(t0: f64, nk: f64) -> Self {
-        let modulus = t0.hypot(2.0 * nk);
+    /// The root of t0 + 2 i nk.
+    pub(crate) fn of(t0: f64, nk: f64) -> Self {
+        Self::of_modulus(t0.hypot(2.0 * nk), t0, nk)
+    }
+
+    /// The same where the modulus is known, each part from the sum that does not cancel.
+    #[inline(always)]
+    fn of_modulus(modulus: f64, t0: f64, nk: f64) -> Self {
         let large = ((modulus + t0.abs()) / 2.0).sqrt();
         let small = if large > 0.0 { nk / large } else { 0.0 };
         if t0 < 0.0 { Self { a: small, b: large } } else { Self { a: large, b: small } }
@@ -63,6 +100,7 @@ fn quotient(x: (f64, f64), y: (f64, f64)) -> f64 {
     if scale == 0.0 { 1.0 } else { squared((x.0 / scale, x.1 / scale)) / squared((y.0 / scale, y.1 / scale)) }
 }
 
+#[inline(always)]
 fn squared((re, im): (f64, f64)) -> f64 {
     re * re + im * im
 }
@@ -131,6 +169,13 @@ mod tests {
                 });
                 prop_assert!((below - above).abs() < 1e-8, "{below} {above}");
             }
+        }
+
+        /// Nor is there a seam where there is room for the form without branches.
+        #[test]
+        fn both_forms_agree(n in 0.001..20.0, k in 0.001..20.0, c in 1e-6..1.0) {
+            let (with, without) = (with_room(n, k, c), without_room(n, k, c));
+            prop_assert!((with - without).abs() < 1e-12, "{with} {without}");
         }
 
         #[test]

@@ -2,6 +2,7 @@
 
 use super::CosTheta;
 use super::conductor::{conductor, normal_reflectance};
+use super::conductor_over::conductor_over_angles;
 
 /// Complex index n + i k of one channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +57,14 @@ pub fn gulbrandsen(r: f64, g: f64, cos_theta: CosTheta) -> f64 {
         return 1.0;
     }
     nk_from_r_g(r, g).map_or(f64::NAN, |Nk { n, k }| conductor(n, k, cos_theta))
+}
+
+/// [`gulbrandsen`] at each angle; the shorter slice ends it.
+pub fn gulbrandsen_over_angles(r: f64, g: f64, cosines: &[CosTheta], out: &mut [f64]) {
+    match nk_from_r_g(r, g) {
+        Some(nk) => conductor_over_angles(nk, cosines, out),
+        None => out.iter_mut().zip(cosines).for_each(|(f, c)| *f = gulbrandsen(r, g, *c)),
+    }
 }
 
 #[cfg(test)]
@@ -133,5 +142,16 @@ mod tests {
         }
         assert!(gulbrandsen(1.02, 0.5, CosTheta::MAX).is_nan());
         assert_eq!(gulbrandsen(1.0, 0.5, CosTheta::MAX), 1.0);
+    }
+
+    #[test]
+    fn a_curve_is_its_values() {
+        let cosines = [CosTheta::FACING, CosTheta::MAX, CosTheta::GRAZING];
+        for (r, g) in [(0.0, 0.5), (0.7, 0.3), (0.9, 1.0), (1.0, 0.2), (1.02, 0.5), (0.5, f64::NAN)] {
+            let mut curve = [0.0; 3];
+            gulbrandsen_over_angles(r, g, &cosines, &mut curve);
+            let alone = cosines.map(|c| gulbrandsen(r, g, c));
+            assert_eq!(curve.map(f64::to_bits), alone.map(f64::to_bits), "{r} {g}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{HeldEnds, NkTable, Provenance};
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::{CosTheta, Nk, conductor};
+use crate::fresnel::{CosTheta, Nk, conductor_over_indices};
 use crate::spectrum::{SAMPLES, rgb_from_reflectance};
 
 /// A metal known by its spectral n and k: the ground truth every model is compared to.
@@ -75,8 +75,10 @@ impl Metal {
     }
 
     /// Spectral reflectance at an angle, one value for each wavelength of the grid.
-    pub fn spectral_reflectance(&self, cos_theta: CosTheta) -> impl Iterator<Item = f64> + '_ {
-        self.nk.iter().map(move |nk| conductor(nk.n, nk.k, cos_theta))
+    pub fn spectral_reflectance(&self, cos_theta: CosTheta) -> [f64; SAMPLES] {
+        let mut values = [f64::NAN; SAMPLES];
+        conductor_over_indices(self.nk.as_slice(), cos_theta, &mut values);
+        values
     }
 
     /// The ground truth (paper section 2): spectral reflectance of white light, as RGB. Nothing is clipped.

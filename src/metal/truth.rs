@@ -16,8 +16,8 @@ impl SpectralCurve {
     /// Evaluates the Fresnel equations at each angle and wavelength.
     pub fn of(metal: &Metal) -> Self {
         Self {
-            at_degrees: whole_degrees().map(|cos_theta| row(metal, cos_theta)).collect(),
-            at_theta_max: Box::new(row(metal, CosTheta::MAX)),
+            at_degrees: whole_degrees().map(|cos_theta| metal.spectral_reflectance(cos_theta)).collect(),
+            at_theta_max: Box::new(metal.spectral_reflectance(CosTheta::MAX)),
         }
     }
 
@@ -26,11 +26,6 @@ impl SpectralCurve {
         let rgb = |row: &[f64; SAMPLES]| rgb_from_reflectance(row.iter().copied(), space);
         TruthCurve::new(space, self.at_degrees.iter().map(rgb).collect(), rgb(&self.at_theta_max))
     }
-}
-
-fn row(metal: &Metal, cos_theta: CosTheta) -> [f64; SAMPLES] {
-    let mut values = metal.spectral_reflectance(cos_theta);
-    std::array::from_fn(|_| values.next().unwrap_or(f64::NAN))
 }
 
 /// The ground truth of a metal in one space at 0°, 1°, …, 90°, with its Lab values for differences.
@@ -68,6 +63,11 @@ impl TruthCurve {
     /// The same as L*a*b*, relative to the space's white.
     pub fn lab(&self) -> &[Lab] {
         &self.lab
+    }
+
+    /// The reflectance at each whole degree, with its angle.
+    pub fn samples(&self) -> impl ExactSizeIterator<Item = (CosTheta, Rgb)> + Clone + '_ {
+        whole_degrees().zip(self.rgb.iter().copied())
     }
 
     /// One channel of the curve, with its angles.

@@ -10,7 +10,7 @@ use super::material::{Source, Truth};
 use super::{NODES, node_cosines};
 use crate::color::{Lab, Rgb, RgbSpace, delta_e_2000};
 use crate::metal::Metal;
-use crate::study::{FormOfVariant, StudyError, Subject, Variant, forms, true_reflectance};
+use crate::study::{Form, FormOfVariant, StudyError, Subject, Variant, forms, true_reflectance};
 
 /// A material as a plan needs it: independent of the scene, so that it is computed once.
 #[derive(Clone, Debug)]
@@ -45,13 +45,9 @@ impl MaterialCurves {
         let lab = truth.map(|rgb| Lab::from_rgb(rgb, space));
         let variants = Variant::of(subject);
         let curve = |of: FormOfVariant| {
-            let difference = |node: usize| {
-                let shown = of.form.reflectance(node_cosines()[node]);
-                delta_e_2000(Lab::from_rgb(shown, space), lab[node])
-            };
             // The last is the truth, not only to rounding.
             let is_exact = variants.last() == Some(&of.variant);
-            let delta_e = if is_exact { [0.0; NODES] } else { std::array::from_fn(difference) };
+            let delta_e = if is_exact { [0.0; NODES] } else { differences(&of.form, &lab, space) };
             VariantCurve { of, delta_e: Box::new(delta_e) }
         };
         let forms = forms(subject, variants, space, keep_going)?;
@@ -67,6 +63,12 @@ impl MaterialCurves {
     pub fn variant(&self, variant: Variant) -> Option<&VariantCurve> {
         self.variants.iter().find(|curve| curve.of.variant == variant)
     }
+}
+
+/// CIEDE2000 of a form to the truth at each node.
+fn differences(form: &Form, truth: &[Lab; NODES], space: RgbSpace) -> [f64; NODES] {
+    let shown = form.curve(node_cosines());
+    std::array::from_fn(|node| delta_e_2000(Lab::from_rgb(shown[node], space), truth[node]))
 }
 
 /// The curves of every material of a scene. A metal is fitted once, however often it occurs.

@@ -1,5 +1,8 @@
 //! RGB weights for a handful of wavelengths instead of 401.
 
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -43,7 +46,20 @@ pub struct FewWavelengths {
     pub weights: Vec<Rgb>,
 }
 
+/// Everything that names one [`FewWavelengths`].
+type Key = (usize, Quadrature, RgbSpace);
+
+static KNOWN: LazyLock<Mutex<HashMap<Key, Arc<FewWavelengths>>>> = LazyLock::new(Mutex::default);
+
 impl FewWavelengths {
+    /// [`new`](Self::new), computed once for all metals: the weights are those of a space, and cost more than a metal
+    /// at the wavelengths.
+    pub fn shared(count: usize, quadrature: Quadrature, space: RgbSpace) -> Arc<Self> {
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let computed = || Arc::new(Self::new(count, quadrature, space));
+        Arc::clone(known.entry((count, quadrature, space)).or_insert_with(computed))
+    }
+
     /// `count` wavelengths for a space; at least 2.
     ///
     /// Bins have their wavelength in the middle and divide 400–700 nm evenly; spline nodes include both ends.
@@ -152,6 +168,15 @@ mod tests {
             let few = FewWavelengths::new(count, quadrature, RgbSpace::LinRec709);
             let white = few.rgb(vec![1.0; count]);
             assert!(white.max_abs_difference(Rgb::WHITE) < 1e-12, "{count} {quadrature:?}: {white:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_shared_is_the_same() {
+        for (count, space) in [(3, RgbSpace::AcesCg), (8, RgbSpace::AcesCg), (8, RgbSpace::LinRec709)] {
+            let shared = || FewWavelengths::shared(count, Quadrature::Spline, space);
+            assert_eq!(*shared(), FewWavelengths::new(count, Quadrature::Spline, space));
+            assert!(Arc::ptr_eq(&shared(), &shared()));
         }
     }
 

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{StudyError, Subject, Variant};
 use crate::color::{Rgb, RgbSpace};
-use crate::fit::{Method, fit_to_truth, samples_for_series, series_by_least_squares};
-use crate::fresnel::{CosTheta, FresnelModel, ModelKind, Nk, SchlickSeries, conductor};
+use crate::fit::{Method, model_of_truth, samples_for_series, series_by_least_squares};
+use crate::fresnel::{CosTheta, FresnelModel, ModelKind, Nk, SchlickSeries, conductor, conductor_over_angles};
 use crate::metal::{Metal, TruthCurve};
 use crate::spectrum::{FewWavelengths, Quadrature, SAMPLES, rgb_weights, wavelengths_nm};
 
@@ -64,6 +64,22 @@ impl Form {
             }
         }
     }
+
+    /// The reflectance at each of many angles, unclamped: [`reflectance`](Self::reflectance) with less work.
+    pub fn curve(&self, cosines: &[CosTheta]) -> Vec<Rgb> {
+        match self {
+            Self::Spectral { n, k, weights, .. } => {
+                let mut curve = vec![Rgb::BLACK; cosines.len()];
+                let mut at_wavelength = vec![f64::NAN; cosines.len()];
+                for ((&n, &k), weight) in n.iter().zip(k).zip(weights) {
+                    conductor_over_angles(Nk { n, k }, cosines, &mut at_wavelength);
+                    curve.iter_mut().zip(&at_wavelength).for_each(|(sum, f)| *sum += *weight * *f);
+                }
+                curve
+            }
+            _ => cosines.iter().map(|c| self.reflectance(*c)).collect(),
+        }
+    }
 }
 
 /// Linear between the rows, which are evenly spaced in √c.
@@ -112,9 +128,8 @@ fn of_metal(
     };
     let form = match variant {
         Variant::Model(kind, method) => {
-            let fit = fit_to_truth(metal, truth, kind, method, &mut || ControlFlow::Continue(()))?;
-            let losses = fit.losses.iter().map(ToString::to_string).collect();
-            return Ok((Form::Model { model: fit.model }, losses));
+            let (model, losses) = model_of_truth(metal, truth, kind, method, &mut || ControlFlow::Continue(()))?;
+            return Ok((Form::Model { model }, losses.iter().map(ToString::to_string).collect()));
         }
         Variant::Series(count) => series((6, 0.0), count),
         Variant::Polynomial(count) => series((1, SchlickSeries::BEND_OF_METALS), count),
@@ -131,9 +146,9 @@ fn table(metal: &Metal, entries: usize, space: RgbSpace) -> Form {
 }
 
 fn few_wavelengths(metal: &Metal, count: usize, space: RgbSpace) -> Form {
-    let FewWavelengths { wavelengths_nm, weights } = FewWavelengths::new(count, Quadrature::Spline, space);
-    let nk: Vec<Nk> = wavelengths_nm.iter().map(|nm| metal.table().at(*nm)).collect();
-    spectral(wavelengths_nm, &nk, weights)
+    let few = FewWavelengths::shared(count, Quadrature::Spline, space);
+    let nk: Vec<Nk> = few.wavelengths_nm.iter().map(|nm| metal.table().at(*nm)).collect();
+    spectral(few.wavelengths_nm.clone(), &nk, few.weights.clone())
 }
 
 fn every_wavelength(metal: &Metal, space: RgbSpace) -> Form {
@@ -215,6 +230,16 @@ mod tests {
             for c in whole_degrees() {
                 assert!(exact.reflectance(c).max_abs_difference(true_reflectance(&subject, c, SPACE)) < 1e-14);
             }
+        }
+    }
+
+    #[test]
+    fn a_curve_is_its_values() {
+        let gold = Subject::Metal(metal_by_name("gold").unwrap());
+        let cosines: Vec<CosTheta> = whole_degrees().collect();
+        for FormOfVariant { variant, form, .. } in all(&gold) {
+            let alone: Vec<Rgb> = cosines.iter().map(|c| form.reflectance(*c)).collect();
+            assert_eq!(form.curve(&cosines), alone, "{variant}");
         }
     }
 

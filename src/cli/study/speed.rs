@@ -13,10 +13,11 @@ use super::super::times::caution;
 use super::super::usage;
 use super::shown::with_bar;
 use crate::kernel::{Level, level_id, levels};
-use crate::metal::metals;
+use crate::metal::{Metal, NkTable, metals, preferred_metals};
 use crate::photo::Plane;
 use crate::preset::pretty_json;
 use crate::scene::{FacingPass, Masks, PlanOptions, SceneMaterial, Source, plan_scene};
+use crate::spectrum::wavelengths_nm;
 use crate::study::{
     Elsewhere, SpeedEvidence, SpeedOptions, SpeedRow, error_table_input, no_progress, repeat, speed, speed_kernels,
     speed_summary,
@@ -101,7 +102,8 @@ impl SpeedCommand {
             python: self.python.as_deref().map(json).transpose()?,
             builds: self.builds.as_deref().map_or(Ok(Vec::new()), rows)?,
             instructions: self.instructions.as_deref().map_or(Ok(Vec::new()), rows)?,
-            plan_s: Some(plan_s(PASS_SIZE, PLANNED)?),
+            plan_s: Some(plan_s(PASS_SIZE, &of_library(PLANNED))?),
+            plan_of_different_s: Some(plan_s(PASS_SIZE, &all_different(PLANNED)?)?),
         })
     }
 }
@@ -132,15 +134,40 @@ fn rows<T: DeserializeOwned>(path: &Path) -> anyhow::Result<Vec<T>> {
 /// Width and height of the pass that is planned for: 4 megapixels.
 const PASS_SIZE: u32 = 2048;
 /// Materials that are planned for.
-const PLANNED: u32 = 1000;
+const PLANNED: usize = 1000;
 
-/// Seconds that the planner takes for so many materials of the library on a ball of `size` × `size` pixels, the
+/// The metals of the library over and over, of which each is fitted once.
+fn of_library(count: usize) -> Vec<Source> {
+    let library: Vec<Arc<_>> = metals().iter().cloned().map(Arc::new).collect();
+    library.iter().cycle().take(count).map(|metal| Source::Metal(Arc::clone(metal))).collect()
+}
+
+/// Metals with n and k between those of two of the library, as a person's own files have them: each is fitted anew.
+fn all_different(count: usize) -> anyhow::Result<Vec<Source>> {
+    let library: Vec<&Metal> = preferred_metals().collect();
+    let metal = |index: usize| -> anyhow::Result<Source> {
+        let (turn, place) = (index / library.len(), index % library.len());
+        let (a, b) = (library[place], library[(place + turn + 1) % library.len()]);
+        let share = (index as f64 + 0.5) / count as f64;
+        let row = |nm: f64| {
+            let (a, b) = (a.table().at(nm), b.table().at(nm));
+            (nm, a.n + (b.n - a.n) * share, a.k + (b.k - a.k) * share)
+        };
+        let table = NkTable::new(wavelengths_nm().step_by(10).map(row))?;
+        let (id, name) = (format!("between-{index}"), format!("Between {} and {}", a.name, b.name));
+        Ok(Source::Metal(Arc::new(Metal::from_table(id, name, table))))
+    };
+    (0..count).map(metal).collect()
+}
+
+/// Seconds that the planner takes for materials on balls that fill `size` × `size` pixels, reading excepted, the
 /// shortest of a few.
-fn plan_s(size: u32, materials: u32) -> anyhow::Result<f64> {
+fn plan_s(size: u32, sources: &[Source]) -> anyhow::Result<f64> {
     let radius = |pixel: u32| (f64::from(pixel) + 0.5) * 2.0 / f64::from(size) - 1.0;
     let pixels = || (0..size).flat_map(|y| (0..size).map(move |x| (x, y)));
     let ratio = pixels().map(|(x, y)| (1.0 - radius(x).powi(2) - radius(y).powi(2)).max(0.0).sqrt() as f32).collect();
-    let ids = pixels().map(|(x, y)| ((x / 64 + y / 64 * (size / 64)) % materials) as f32).collect();
+    let count = sources.len() as u32;
+    let ids = pixels().map(|(x, y)| ((x / 64 + y / 64 * (size / 64)) % count) as f32).collect();
     let plane = |name: &str, values: Vec<f32>| Plane {
         name: name.to_owned(),
         channel: "Y".to_owned(),
@@ -151,14 +178,12 @@ fn plan_s(size: u32, materials: u32) -> anyhow::Result<f64> {
         warnings: Vec::new(),
     };
     let (pass, masks) = (FacingPass { ratio: plane("ratio", ratio) }, Masks::Ids(plane("ids", ids)));
-    let library: Vec<Arc<_>> = metals().iter().cloned().map(Arc::new).collect();
-    let all: Vec<u32> = (0..materials).collect();
+    let all: Vec<u32> = (0..count).collect();
     let once = || -> anyhow::Result<f64> {
         let start = Instant::now();
         let seen = pass.angles(&masks, &all).map_err(anyhow::Error::msg)?;
-        let sources = library.iter().cycle().map(|metal| Source::Metal(Arc::clone(metal)));
-        let materials: Vec<SceneMaterial> =
-            sources.zip(seen.angles).map(|(source, angles)| SceneMaterial { source, angles }).collect();
+        let pairs = sources.iter().cloned().zip(seen.angles);
+        let materials: Vec<SceneMaterial> = pairs.map(|(source, angles)| SceneMaterial { source, angles }).collect();
         plan_scene(&materials, "", &PlanOptions::default(), &no_progress)?;
         Ok(start.elapsed().as_secs_f64())
     };
@@ -195,12 +220,26 @@ fn for_people(rows: &[SpeedRow]) -> Table {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::HashSet;
+
     use super::*;
 
     #[test]
     fn a_plan_is_timed() {
-        let seconds = plan_s(128, 3).unwrap();
-        assert!(seconds > 0.0 && seconds.is_finite());
+        for sources in [of_library(3), all_different(3).unwrap()] {
+            let seconds = plan_s(128, &sources).unwrap();
+            assert!(seconds > 0.0 && seconds.is_finite());
+        }
+    }
+
+    #[test]
+    fn no_two_of_a_thousand_are_the_same() {
+        let all = all_different(PLANNED).unwrap();
+        let bits = |source: &Source| match source {
+            Source::Metal(metal) => metal.nk().map(|nk| (nk.n.to_bits(), nk.k.to_bits())),
+            Source::Preset(_) => panic!("a preset"),
+        };
+        assert_eq!(all.iter().map(bits).collect::<HashSet<_>>().len(), PLANNED);
     }
 
     #[test]

@@ -60,8 +60,10 @@ pub struct Elsewhere {
     pub builds: Vec<BuildTimes>,
     /// Instructions of our kernels on AVX2.
     pub instructions: Vec<Instructions>,
-    /// Seconds that a plan of 1000 materials on a pass of 4 megapixels took.
+    /// Seconds that a plan of 1000 materials of the library on a pass of 4 megapixels took.
     pub plan_s: Option<f64>,
+    /// Seconds that the same took of 1000 metals that all differ, none of them of the library.
+    pub plan_of_different_s: Option<f64>,
 }
 
 /// What `scripts/compare_accuracy.py` prints.
