@@ -42,7 +42,9 @@ hoffman material
 hoffman-basis material
 f82-tint material
 conductor material
+conductor-any material
 conductor-and-absorption material
+conductor-and-absorption-any material
 dielectric material
 spectral-31 material
 schlick pixel

@@ -19,6 +19,7 @@ impl SpeedEvidence {
         writeln!(out, "\n{}", self.machine.sentence(self.rounds))?;
         self.write_bars(out)?;
         self.write_rows(out)?;
+        self.write_bounds(out)?;
         self.write_instructions(out)?;
         self.write_beside(out)?;
         self.write_stand_ins(out)?;
@@ -68,6 +69,19 @@ impl SpeedEvidence {
                     row.parameter_bytes.map(|bytes| bytes.to_string()).unwrap_or_default(),
                     operations(row)
                 )?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Ours against what they cannot do without, in the kernels that aims name and in those that none does.
+    fn write_bounds(&self, out: &mut String) -> fmt::Result {
+        out.push_str(BOUNDS);
+        for bound in self.rows.iter().filter(|row| row.kind == BOUND) {
+            let kernel = bound.kernel.as_str();
+            let ratio = bars::ratio(&self.rows, (kernel, OURS, bound.per), (kernel, BOUND, bound.per));
+            if let Some(ratio) = ratio {
+                writeln!(out, "| {kernel} | {ratio:.2} |")?;
             }
         }
         Ok(())
@@ -216,6 +230,17 @@ between a long run and a longer one, so that no clock is involved.
 
 | kernel | per | instructions |
 |---|---|---|
+";
+
+const BOUNDS: &str = "
+## Against their roots and divisions
+
+How long a kernel takes as a multiple of two square roots and one division for each channel or wavelength. n and k are
+gold's, where k ≥ n at every wavelength and the shorter form serves; `-any` are tungsten's, with n > k, as is the form for
+a material of which one channel has k < n.
+
+| kernel | × its roots and divisions |
+|---|---|
 ";
 
 const STAND_INS: &str = "
