@@ -11,7 +11,8 @@ type Bounds = [f64; 4];
 #[derive(Debug)]
 pub(super) struct Places {
     limits: Bounds,
-    taken: Vec<Bounds>,
+    dots: Vec<Bounds>,
+    names: Vec<Bounds>,
     lines: Vec<[Point; 2]>,
 }
 
@@ -24,14 +25,14 @@ const DISTANCES: [f64; 6] = [8.0, 16.0, 26.0, 38.0, 52.0, 68.0];
 impl Places {
     /// Room inside `limits` beside dots of a radius.
     pub(super) fn new(limits: Bounds, dots: &[Point], radius: f64) -> Self {
-        let mut places = Self { limits, taken: Vec::new(), lines: Vec::new() };
+        let mut places = Self { limits, dots: Vec::new(), names: Vec::new(), lines: Vec::new() };
         dots.iter().for_each(|&dot| places.keep_free(dot, radius));
         places
     }
 
     /// Keeps a square around a point free of names.
     pub(super) fn keep_free(&mut self, (x, y): Point, half: f64) {
-        self.taken.push([x - half, y - half, x + half, y + half]);
+        self.dots.push([x - half, y - half, x + half, y + half]);
     }
 
     /// Keeps names and leaders off a line.
@@ -57,7 +58,7 @@ impl Places {
                     drawing.line(&line, HAIR, SOLID, leader);
                     self.lines.push(line);
                 }
-                self.taken.push(label.bounds());
+                self.names.push(label.bounds());
                 drawing.text(label);
                 return true;
             }
@@ -65,20 +66,32 @@ impl Places {
         false
     }
 
-    /// Nothing is in the box.
+    /// Nothing is in the box, nor a name or a line close to it.
     fn is_free(&self, bounds: Bounds) -> bool {
         let ([left, top, right, bottom], [l, t, r, b]) = (bounds, self.limits);
         let is_inside = left >= l && top >= t && right <= r && bottom <= b;
-        let overlaps = |[l, t, r, b]: &Bounds| left < *r && *l < right && top < *b && *t < bottom;
-        let is_crossed = |line: &[Point; 2]| crosses_box(*line, bounds);
-        is_inside && !self.taken.iter().any(overlaps) && !self.lines.iter().any(is_crossed)
+        let wide = with_air(bounds);
+        is_inside
+            && !self.dots.iter().any(|dot| overlap(*dot, bounds))
+            && !self.names.iter().any(|name| overlap(*name, wide))
+            && !self.lines.iter().any(|line| crosses_box(*line, wide))
     }
 
     /// A leader from a point meets no name, no other dot and no other line.
     fn is_clear(&self, line: [Point; 2], own: Point) -> bool {
         let meets_box = |bounds: &Bounds| !contains(*bounds, own) && crosses_box(line, *bounds);
-        !self.taken.iter().any(meets_box) && !self.lines.iter().any(|other| crosses(line, *other))
+        !self.dots.iter().chain(&self.names).any(meets_box) && !self.lines.iter().any(|other| crosses(line, *other))
     }
+}
+
+/// A box with the air that a name needs to be read apart from other names and lines.
+fn with_air([left, top, right, bottom]: Bounds) -> Bounds {
+    const AIR: (f64, f64) = (2.0, 3.0);
+    [left - AIR.0, top - AIR.1, right + AIR.0, bottom + AIR.1]
+}
+
+fn overlap([left, top, right, bottom]: Bounds, [l, t, r, b]: Bounds) -> bool {
+    left < r && l < right && top < b && t < bottom
 }
 
 fn contains([left, top, right, bottom]: Bounds, (x, y): Point) -> bool {
@@ -102,10 +115,14 @@ pub(super) fn left_out_note(not_drawn: usize, not_named: usize) -> String {
     note.trim_end().to_owned()
 }
 
-/// Two segments cross when each separates the ends of the other.
+/// Two segments cross, touch or cover each other: neither has both ends of the other on one side, nor a box apart.
 fn crosses([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     let side = |from: Point, to: Point, p: Point| (to.0 - from.0) * (p.1 - from.1) - (to.1 - from.1) * (p.0 - from.0);
-    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+    let overlaps = |a: f64, b: f64, c: f64, d: f64| a.min(b) <= c.max(d) && c.min(d) <= a.max(b);
+    side(a, b, c) * side(a, b, d) <= 0.0
+        && side(c, d, a) * side(c, d, b) <= 0.0
+        && overlaps(a.0, b.0, c.0, d.0)
+        && overlaps(a.1, b.1, c.1, d.1)
 }
 
 #[cfg(test)]
@@ -117,6 +134,9 @@ mod tests {
         let across = [(0.0, 0.0), (10.0, 10.0)];
         assert!(crosses(across, [(0.0, 10.0), (10.0, 0.0)]));
         assert!(!crosses(across, [(0.0, 1.0), (9.0, 10.0)]));
+        let (level, corner) = ([(0.0, 0.0), (4.0, 0.0)], [(4.0, 0.0), (4.0, 9.0)]);
+        assert!(crosses(level, corner) && crosses(level, [(3.0, 0.0), (8.0, 0.0)]));
+        assert!(!crosses(level, [(5.0, 0.0), (8.0, 0.0)]) && !crosses(level, [(4.0, 1.0), (4.0, 9.0)]));
         assert!(crosses_box(across, [4.0, 4.0, 6.0, 6.0]) && !crosses_box(across, [4.0, 0.0, 6.0, 3.0]));
     }
 
@@ -127,7 +147,7 @@ mod tests {
         let point = (100.0, 100.0);
         let mut places = Places::new([0.0, 0.0, 200.0, 200.0], &[point], 3.0);
         places.keep_clear_of(&[(110.0, 0.0), (110.0, 200.0)]);
-        assert!((0..4).all(|i| places.write(&mut drawing, &format!("name {i}"), point, ink, ink)));
+        assert!((0..3).all(|i| places.write(&mut drawing, &format!("name {i}"), point, ink, ink)));
         let boxes: Vec<Bounds> = drawing.labels().map(Label::bounds).collect();
         assert!(boxes.iter().all(|[left, _, right, _]| *right < 110.0 || *left > 110.0));
         super::super::check::assert_texts_are_legible(&drawing);

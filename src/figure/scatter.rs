@@ -108,7 +108,9 @@ impl Figure for ScatterFigure {
         page.drawing.line(&steps, FRONT, SOLID, mark);
         self.key(&mut page);
         let dots: Vec<Point> = shown.iter().map(|p| (x.at(p.x), y.at(p.y))).collect();
-        for (point, &dot) in shown.iter().zip(&dots) {
+        let mut drawn: Vec<(&ScatterPoint, Point)> = shown.iter().copied().zip(dots.iter().copied()).collect();
+        drawn.sort_by_key(|(point, _)| point.is_on_front);
+        for (point, dot) in drawn {
             let ink = page.palette.models[point.series % page.palette.models.len()];
             page.drawing.dot(dot, point.radius() + 1.2, page.palette.ground);
             page.drawing.dot(dot, point.radius(), ink);
@@ -147,7 +149,8 @@ impl ScatterPoint {
 /// Names the points, those on the front first; gives back for how many there was no room.
 fn names(page: &mut Page, shown: &[&ScatterPoint], dots: &[Point], front: &[Point]) -> usize {
     let limits = [LEFT + 2.0, TOP + 2.0, LEFT + PANEL.0 - 2.0, TOP + PANEL.1 - 2.0];
-    let mut places = Places::new(limits, dots, DOT + STANDS_OUT + 1.0);
+    let mut places = Places::new(limits, &[], 0.0);
+    shown.iter().zip(dots).for_each(|(point, dot)| places.keep_free(*dot, point.radius() + 1.0));
     places.keep_clear_of(front);
     let (ink, leader) = (page.palette.ink, page.palette.mark);
     let mut named: Vec<(&ScatterPoint, Point)> = shown.iter().copied().zip(dots.iter().copied()).collect();

@@ -26,7 +26,7 @@ pub fn trade_figure(material: &str, rows: &[TradeRow], options: &TradeOptions) -
         is_y_log: true,
         series: FAMILIES.map(str::to_owned).into(),
         points: rows.iter().filter(|row| row.error(options.measure) > 0.0).filter_map(point).collect(),
-        front_name: "Nothing is as cheap and nearer to the truth".to_owned(),
+        front_name: "Nothing as cheap is nearer to the truth".to_owned(),
     }
 }
 

@@ -48,7 +48,7 @@ enum SourceFields {
         id: String,
     },
     /// A person's own.
-    NK(NkFields),
+    NK(Box<NkFields>),
     Preset {
         preset: Value,
     },
@@ -120,7 +120,7 @@ impl SourceFields {
         Ok(match source {
             Source::Metal(metal) => match of_library(&metal.id) {
                 Some(own) if own.table() == metal.table() => Self::Metal { id: metal.id.clone() },
-                _ => Self::NK(NkFields::of(metal)),
+                _ => Self::NK(NkFields::of(metal).into()),
             },
             Source::Preset(preset) => Self::Preset { preset: read_strict_json(&preset.to_json()?)? },
         })

@@ -2,11 +2,17 @@
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --test window` writes the pictures anew; look at them before committing them.
 
+use std::sync::Arc;
+
+use edgewise::metal::metal_by_name;
 use edgewise::preset::{Preset, built_in_presets};
 use edgewise::sample::samples;
+use edgewise::scene::{Place, PlanOptions, SavedMaterial, SavedPass, SavedPlan, SavedScene, Shape, Source, plan_scene};
+use edgewise::study::no_progress;
 use eframe::egui::{Key, Modifiers, Theme};
 
 use crate::drive::Window;
+use crate::planner;
 
 #[test]
 fn a_new_window() {
@@ -130,4 +136,36 @@ fn the_page_of_plans() {
     window.picture("planner");
     window.click("Trade");
     window.picture("planner_trade");
+}
+
+/// A plan of a pass whose pictures are elsewhere, as is the file of one of its metals.
+#[test]
+fn a_plan_of_a_file_that_was_changed() {
+    let angles = Shape::Cylinder.angles().times(9000.0);
+    let seen = |name: &str, file: Option<&str>, place| SavedMaterial {
+        source: Source::Metal(Arc::new(metal_by_name(name).unwrap().clone())),
+        file: file.map(str::to_owned),
+        place,
+        angles: angles.clone(),
+    };
+    let materials = vec![
+        seen("gold", None, Place::Id(1)),
+        seen("iron", Some("/studio/metals/iron.csv"), Place::Id(2)),
+        seen("zinc", None, Place::Id(3)),
+    ];
+    let found = "facing.exr: 1920 × 1080 pixels of channel Y, 27000 with a surface and 2046600 without".to_owned();
+    let file = |name: &str| format!("/studio/shots/{name}.exr");
+    let pass = SavedPass { file: file("facing"), channel: None, ids: Some(file("ids")), found };
+    let scene = SavedScene { materials, pass: Some(pass) };
+    let materials = scene.scene_materials();
+    let plan = plan_scene(&materials, "facing.exr", &PlanOptions::default(), &no_progress).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kitchen.json");
+    SavedPlan { plan, scene: Ok(scene) }.save(&path).unwrap();
+    let mut window = Window::for_picture(Theme::Dark);
+    window.press(Modifiers::COMMAND, Key::Num4);
+    planner::file(&mut window, "Open plan…", "Open a plan", &path);
+    window.click("Where Gold is seen");
+    window.click("Sphere");
+    window.picture("planner_opened");
 }

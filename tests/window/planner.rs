@@ -128,7 +128,7 @@ fn the_open_preset_is_planned_for_as_it_changes() {
 
 /// Asks for a file by the name of its button and answers with a path; there is no dialog service here, and on a busy
 /// machine that may have to be found out twice.
-fn file(window: &mut Window, button: &str, question: &str, path: &Path) {
+pub fn file(window: &mut Window, button: &str, question: &str, path: &Path) {
     let mut attempts = 0..20;
     while !window.shows(question) {
         assert!(attempts.next().is_some(), "no question for a path");
