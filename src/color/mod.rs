@@ -4,6 +4,8 @@ mod ciede2000;
 mod encoding;
 mod lab;
 mod rgb;
+#[cfg(test)]
+mod sharma;
 mod space;
 mod unknown_name;
 mod xyz;
@@ -15,6 +17,8 @@ pub use encoding::{
 };
 pub use lab::{Lab, lightness_from_luminance, luminance_from_lightness};
 pub use rgb::Rgb;
+#[cfg(test)]
+pub(crate) use sharma::SHARMA;
 pub use space::RgbSpace;
 pub use unknown_name::UnknownName;
 pub use xyz::{Chromaticity, Xyz, bradford, xyz_from_primaries};

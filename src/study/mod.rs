@@ -13,7 +13,7 @@
 //! | which r and h are reflectances? | `feasibility` |
 //! | how much accuracy is there for how much cost? | `trade`, of the variants in `variant`, `form` and `cost` |
 //! | how long does it take here? | `speed` |
-//! | how many digits does a model or a conversion keep? | `stability`, its cases `stability_cases`, 512 bits `exact` |
+//! | how many digits does a model or a conversion keep? | `stability` |
 //!
 //! A [`Subject`] is what a demonstration is about; [`Contestants`] are its four descriptions in one space.
 
@@ -28,7 +28,6 @@ mod decoupling;
 mod distribution;
 mod evidence;
 mod evidence_markdown;
-mod exact;
 mod feasibility;
 mod form;
 mod measure;
@@ -38,7 +37,6 @@ mod quantisation;
 mod speed;
 mod spread;
 mod stability;
-mod stability_cases;
 mod subject;
 mod summary;
 mod trade;

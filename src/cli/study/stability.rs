@@ -41,6 +41,7 @@ fn for_people(rows: &[StabilityRow]) -> Table {
         ("max_absolute", "off by"),
         ("max_absolute_at", "at"),
         ("max_ulp", "ULP"),
+        ("max_ulp_at", "at"),
         ("nan", "NaN"),
         ("infinite", "infinite"),
         ("negative", "negative"),
@@ -56,6 +57,7 @@ fn for_people(rows: &[StabilityRow]) -> Table {
             error(row.max_absolute),
             row.max_absolute_at.as_str().into(),
             error(row.max_ulp),
+            row.max_ulp_at.as_str().into(),
             count(row.nan),
             count(row.infinite),
             count(row.negative),
@@ -63,4 +65,32 @@ fn for_people(rows: &[StabilityRow]) -> Table {
         ]);
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn people_are_told_where_either_error_is() {
+        let row = StabilityRow {
+            quantity: "schlick",
+            kind: "ours",
+            arithmetic: "vectors",
+            domain: "inside",
+            points: 2,
+            max_absolute: Some(1.25e-7),
+            max_absolute_at: "r = 0.5, c = 0.1".to_owned(),
+            max_ulp: Some(3.5),
+            max_ulp_at: "r = 0.04, c = 1".to_owned(),
+            nan: 0,
+            infinite: 0,
+            negative: 0,
+            above_one: 0,
+        };
+        let text = for_people(&[row]).render(Format::Table);
+        for told in ["1.2e-7", "r = 0.5, c = 0.1", "3.5e0", "r = 0.04, c = 1"] {
+            assert!(text.contains(told), "{told} in {text}");
+        }
+    }
 }

@@ -90,7 +90,7 @@ pub(super) fn bars(evidence: &SpeedEvidence) -> Vec<Bar> {
         Bar::new("n, k of the library: F", 17.0, Some(evidence.digits.reflectance_ulp), " ULP", 1),
         Bar::in_powers("n, k of the library: 1 − F, relative, to 90°", 6e-7, Some(evidence.digits.absorbed_relative)),
         Bar::in_powers("(r, g) → (n, k), relative, to r = 1 − 1e-7", 4e-7, Some(evidence.index_relative)),
-        Bar::new("dielectrics: F", 10.0, Some(evidence.dielectric_ulp), " ULP", 1),
+        Bar::new("dielectrics of n = 1.0001 to 4: F, to 90°", 10.0, Some(evidence.dielectric_ulp), " ULP", 1),
         times("a binary for any processor ÷ one for this, middle of the kernels", 1.05, evidence.builds_median()),
         times("81 wavelengths ÷ their roots and divisions", 1.05, spectral(rows)),
         Bar::new("20 wavelengths with spline weights: largest ΔE", 0.07, Some(evidence.spectral_20.max_delta_e), "", 3),
