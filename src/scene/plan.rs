@@ -269,7 +269,8 @@ fn plan_material(
     }
 }
 
-/// Every variant with what becomes of it, the cheapest first, and of equally cheap ones the nearest to the truth.
+/// Every variant with what becomes of it, the cheapest first, see [`Target::price`], and of equally cheap ones the
+/// nearest to the truth.
 fn judge(curves: &MaterialCurves, angles: &Angles, has_times: bool, options: &PlanOptions) -> Vec<Judgement> {
     let tolerance = options.tolerance;
     let judgement = |curve: &VariantCurve| Judgement {
@@ -278,26 +279,26 @@ fn judge(curves: &MaterialCurves, angles: &Angles, has_times: bool, options: &Pl
         error: if angles.is_empty() { SeenError::NONE } else { SeenError::over(&curve.delta_e, angles) },
         verdict: Verdict::Dearer,
     };
-    let mut judgements: Vec<Judgement> = curves.variants.iter().map(judgement).collect();
-    let price = |j: &Judgement| options.target.price(j.cost, has_times);
-    let key = |j: &Judgement| (price(j).0, price(j).1, j.error.of(tolerance.on));
-    judgements.sort_by(|a, b| {
-        let ((a, b, c), (x, y, z)) = (key(a), key(b));
-        a.total_cmp(&x).then(b.total_cmp(&y)).then(c.total_cmp(&z))
+    let price = |variant| options.target.price(variant, &options.costs, has_times);
+    let priced = curves.variants.iter().map(|curve| (price(curve.of.variant), judgement(curve)));
+    let mut judged: Vec<((f64, f64), Judgement)> = priced.collect();
+    judged.sort_by(|((a_first, a_then), a), ((b_first, b_then), b)| {
+        let errors = a.error.of(tolerance.on).total_cmp(&b.error.of(tolerance.on));
+        a_first.total_cmp(b_first).then(a_then.total_cmp(b_then)).then(errors)
     });
     // The exact variant has no error, so that there is one.
-    let chosen = judgements.iter().position(|j| j.error.is_within(tolerance)).unwrap_or(judgements.len() - 1);
-    let paid = price(&judgements[chosen]);
-    for (index, judgement) in judgements.iter_mut().enumerate() {
+    let chosen = judged.iter().position(|(_, j)| j.error.is_within(tolerance)).unwrap_or(judged.len() - 1);
+    let paid = judged[chosen].0;
+    for (index, (price, judgement)) in judged.iter_mut().enumerate() {
         judgement.verdict = match index {
             _ if index == chosen => Verdict::Chosen,
             _ if index < chosen => Verdict::TooFar,
-            _ if options.target.price(judgement.cost, has_times) > paid => Verdict::Dearer,
+            _ if *price > paid => Verdict::Dearer,
             _ if judgement.error.is_within(tolerance) => Verdict::Farther,
             _ => Verdict::TooFar,
         };
     }
-    judgements
+    judged.into_iter().map(|(_, judgement)| judgement).collect()
 }
 
 fn savings(plans: &[MaterialPlan], curves: &SceneCurves, costs: &Costs) -> Savings {
@@ -469,13 +470,13 @@ mod tests {
         #[test]
         fn loosening_the_tolerance_never_raises_the_cost(
             metal in 0..curves().len(), degrees in degrees(), on in measure(), target in target(),
-            tight in 0.0..6.0_f64, looser in 0.0..6.0_f64,
+            tight in 0.0..6.0_f64, looser in 0.0..6.0_f64, ns in times(),
         ) {
             let angles = at(&degrees);
             let price = |delta_e| {
-                let options = options(delta_e, on, target);
-                let judgements = judge(&curves()[metal], &angles, false, &options);
-                target.price(chosen(&judgements).cost, false)
+                let options = PlanOptions { costs: costs.clone(), ..options(delta_e, on, target) };
+                let judgements = judge(&curves()[metal], &angles, true, &options);
+                target.price(chosen(&judgements).variant, &options.costs, true)
             };
             prop_assert!(price(tight + looser) <= price(tight));
         }
@@ -493,14 +494,15 @@ mod tests {
         fn adding_angles_never_lowers_the_largest_error_of_a_variant_nor_the_cost(
             metal in 0..curves().len(), degrees in degrees(), more in degrees(), target in target(), delta_e in 0.0..6.0_f64,
         ) {
-            let options = options(delta_e, Measure::Max, target);
-            let judged = |degrees: &[f64]| judge(&curves()[metal], &at(degrees), false, &options);
+            let options = PlanOptions { costs: timed(&ns), ..options(delta_e, Measure::Max, target) };
+            let judged = |degrees: &[f64]| judge(&curves()[metal], &at(degrees), true, &options);
             let (few, many) = (judged(&degrees), judged(&[degrees.clone(), more].concat()));
             for judgement in &few {
                 let same = many.iter().find(|other| other.variant == judgement.variant).unwrap();
                 prop_assert!(same.error.max_delta_e >= judgement.error.max_delta_e);
             }
-            prop_assert!(target.price(chosen(&many).cost, false) >= target.price(chosen(&few).cost, false));
+            let price = |judgements: &[Judgement]| target.price(chosen(judgements).variant, &options.costs, true);
+            prop_assert!(price(&many) >= price(&few));
         }
 
         /// The bound holds at the angles themselves, not only at the nodes that stand for them.
@@ -521,3 +523,14 @@ mod tests {
         }
     }
 }
+    /// Times of any machine: many of them near each other.
+    fn times() -> impl Strategy<Value = Vec<f64>> {
+        prop::collection::vec(0.1..1.0_f64, Variant::ALL.len())
+    }
+
+    fn timed(ns: &[f64]) -> Costs {
+        Costs::with_measured(Variant::ALL.into_iter().zip(ns.iter().copied()).collect())
+    }
+
+            let costs = timed(&ns);
+            ns in times(),
