@@ -15,6 +15,7 @@ use crate::color::RgbSpace;
 use crate::file::read_text;
 use crate::fresnel::h_of_schlick;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
+use crate::number::short;
 use crate::photo::{Plane, PlaneKind};
 use crate::preset::{Preset, built_in_presets, pretty_json};
 use crate::scene::{
@@ -76,13 +77,16 @@ pub struct PlanCommand {
     /// Save the plan, for `edgewise export --plan`
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Replace the plan that is there
+    #[arg(long, requires = "output")]
+    force: bool,
     #[command(flatten)]
     format: FormatArguments,
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
     let value = arguments::number(text)?;
-    if value >= 0.0 { Ok(value) } else { Err(format!("a tolerance is at least 0, not {value}")) }
+    if value >= 0.0 { Ok(value) } else { Err(format!("a tolerance is at least 0, not {}", short(value))) }
 }
 
 /// Where a material is seen.
@@ -95,14 +99,26 @@ enum Where {
     Matte(PathBuf),
 }
 
+/// How often each material is seen at each angle.
+struct Seeing {
+    /// One for each material.
+    angles: Vec<Angles>,
+    /// Where they come from, in a sentence.
+    scene: String,
+    /// What a person should know about that.
+    notes: Vec<String>,
+}
+
 impl PlanCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
+        self.refuse_to_replace()?;
         let mut warnings = Vec::new();
         let (sources, places): (Vec<Source>, Vec<Where>) = self.sources(&mut warnings)?.into_iter().unzip();
-        let (angles, scene) = self.angles(&places, &mut warnings)?;
+        let Seeing { angles, scene, notes } = self.angles(&places)?;
+        warnings.extend(notes.iter().cloned());
         let pairs = sources.into_iter().zip(angles);
         let materials: Vec<SceneMaterial> = pairs.map(|(source, angles)| SceneMaterial { source, angles }).collect();
-        let plan = self.plan(&materials, &scene, self.costs(&mut warnings)?)?;
+        let plan = Plan { notes, ..self.plan(&materials, &scene, self.costs(&mut warnings)?)? };
         if let Some(path) = &self.output {
             plan.save(path)?;
         }
@@ -113,6 +129,16 @@ impl PlanCommand {
             Format::Table => format!("{}\n{}\n{}\n", table.to_text(), plan.scene, plan.summary()),
         };
         Ok(Output { text, warnings, ..Output::default() })
+    }
+
+    /// Before anything is read: a plan that is there is replaced only with `--force`.
+    fn refuse_to_replace(&self) -> anyhow::Result<()> {
+        match &self.output {
+            Some(path) if !self.force && path.exists() => {
+                bail!("{} is there already; --force replaces it", path.display())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// What can be counted, and times where they decide or are wanted.
@@ -165,51 +191,58 @@ impl PlanCommand {
                 Ok(Source::Preset(Box::new(loaded.preset)))
             }
             "csv" | "yml" | "yaml" => Ok(Source::Metal(Arc::new(Metal::open(Path::new(word))?))),
-            _ if word.contains(',') => self.colours(word),
+            _ if word.contains(',') => self.colours(word, warnings),
             _ => Ok(Source::Metal(Arc::new(metal_by_name(word)?.clone()))),
         }
     }
 
-    fn colours(&self, word: &str) -> anyhow::Result<Source> {
+    fn colours(&self, word: &str, warnings: &mut Vec<String>) -> anyhow::Result<Source> {
         let triple = |text: &str| arguments::triple(text).map_err(anyhow::Error::msg);
         let (r, h) = match word.split_once('/') {
             Some((r, h)) => (triple(r)?, triple(h)?),
             None => (triple(word)?, triple(word)?.map(h_of_schlick)),
         };
-        let preset = Preset { name: "Given colours".to_owned(), r, h, space: self.space, ..Preset::new_authored() };
+        if r.0.into_iter().chain(h.0).any(|value| !(0.0..=1.0).contains(&value)) {
+            warnings.push(format!("{word} leaves 0–1 in {}; nothing is clamped", self.space));
+        }
+        let name = "Given colours".to_owned();
+        // Nobody said how rough it is; a metal of the library is none either.
+        let preset = Preset { name, r, h, space: self.space, roughness: 0.0, ..Preset::new_authored() };
         Ok(Source::Preset(Box::new(preset)))
     }
 
-    /// The angles of each material, and where they come from in a sentence.
-    fn angles(&self, places: &[Where], warnings: &mut Vec<String>) -> anyhow::Result<(Vec<Angles>, String)> {
+    /// The angles of each material, and where they come from.
+    fn angles(&self, places: &[Where]) -> anyhow::Result<Seeing> {
         let Some(path) = &self.pass else { return self.shapes(places) };
-        let pass = FacingPass { ratio: open(path, PlaneKind::Facing, self.channel.as_deref(), warnings)? };
-        let Plane { width, height, channel, .. } = &pass.ratio;
-        let scene = format!("{}: {width} × {height} pixels of channel {channel}", path.display());
-        let (masks, ids) = self.masks(places, warnings)?;
-        let Seen { mut angles, report } = pass.angles(&masks, &ids).map_err(anyhow::Error::msg)?;
-        warnings.extend(report.sentences().into_iter().map(|sentence| format!("{}: {sentence}", path.display())));
+        let mut notes = Vec::new();
+        let pass = FacingPass { ratio: open(path, PlaneKind::Facing, self.channel.as_deref(), &mut notes)? };
+        let (masks, ids) = self.masks(places, &mut notes)?;
+        let Seen { mut angles, scene, warnings, .. } = pass.angles(&masks, &ids).map_err(anyhow::Error::msg)?;
         if matches!(masks, Masks::None) {
             angles = vec![angles.remove(0); places.len()];
         }
-        let of_all = format!("{scene}, {} with a surface and {} without", report.seen, report.background);
-        Ok((angles, of_all))
+        Ok(Seeing { angles, scene, notes: [notes, warnings].concat() })
     }
 
-    fn shapes(&self, places: &[Where]) -> anyhow::Result<(Vec<Angles>, String)> {
+    fn shapes(&self, places: &[Where]) -> anyhow::Result<Seeing> {
         let shape = |place: &Where| match place {
             Where::Default => Ok(self.seen),
             Where::Shape(shape) => Ok(*shape),
             Where::Id(_) | Where::Matte(_) => bail!("ids and mattes belong to a facing-ratio pass: --pass FILE"),
         };
         let shapes: Vec<Shape> = places.iter().map(shape).collect::<anyhow::Result<_>>()?;
-        let mut labels: Vec<String> = Vec::new();
-        for label in shapes.iter().map(|shape| shape.label()) {
-            if !labels.contains(&label) {
-                labels.push(label);
+        let mut different: Vec<Shape> = Vec::new();
+        for shape in &shapes {
+            if !different.contains(shape) {
+                different.push(*shape);
             }
         }
-        Ok((shapes.into_iter().map(Shape::angles).collect(), labels.join("; ")))
+        let labels: Vec<String> = different.iter().map(|shape| shape.label()).collect();
+        Ok(Seeing {
+            angles: shapes.into_iter().map(Shape::angles).collect(),
+            scene: labels.join("; "),
+            notes: different.into_iter().filter_map(Shape::warning).collect(),
+        })
     }
 
     /// What tells the materials of the pass apart: all in one way.
@@ -231,7 +264,7 @@ impl PlanCommand {
         let mattes = places.iter().map(|place| match place {
             Where::Matte(path) => open(path, PlaneKind::Matte, None, warnings),
             Where::Id(_) => bail!("ids need their picture: --ids FILE"),
-            Where::Shape(shape) => bail!("with --pass no material is seen on a shape ({shape})"),
+            Where::Shape(shape) => bail!("with --pass no material is seen on a shape ({})", shape.label()),
             Where::Default => bail!("where one material has a matte, every one has: MATERIAL@FILE"),
         });
         Ok((Masks::Mattes(mattes.collect::<anyhow::Result<_>>()?), Vec::new()))
@@ -295,7 +328,7 @@ fn row(material: &MaterialPlan, plan: &Plan) -> Vec<Cell> {
         Cell::Number(choice.error.angle_of_max_deg, 0),
         Cell::Count(choice.cost.shader_operations.into()),
         Cell::Count(choice.cost.parameter_bytes),
-        Cell::Text(material.reason(plan.tolerance)),
+        Cell::Text(if material.is_seen() { material.reason(plan.tolerance) } else { "it is not seen".to_owned() }),
     ]
 }
 

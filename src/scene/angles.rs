@@ -22,11 +22,13 @@ pub fn node_cosines() -> &'static [CosTheta; NODES] {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Angles {
     weights: Box<[f64; NODES]>,
+    /// The smallest and the largest cosine that was seen; in the wrong order where nothing was.
+    ends: [CosTheta; 2],
 }
 
 impl Default for Angles {
     fn default() -> Self {
-        Self { weights: Box::new([0.0; NODES]) }
+        Self { weights: Box::new([0.0; NODES]), ends: [CosTheta::FACING, CosTheta::GRAZING] }
     }
 }
 
@@ -34,6 +36,9 @@ impl Angles {
     /// Adds something seen at an angle, by its share of the picture; only finite weights above 0 count.
     pub fn add(&mut self, cos_theta: CosTheta, weight: f64) {
         let valid = if weight.is_finite() { weight.max(0.0) } else { 0.0 };
+        if valid > 0.0 {
+            self.reach(cos_theta);
+        }
         let below = ((cos_theta.get().sqrt() * (NODES - 1) as f64).floor() as usize).min(NODES - 2);
         let [low, high] = [below, below + 1].map(|node| COSINES[node].get());
         let share = ((cos_theta.get() - low) / (high - low)).clamp(0.0, 1.0);
@@ -41,8 +46,22 @@ impl Angles {
         self.weights[below + 1] += valid * share;
     }
 
+    /// Lets the range of angles reach one that is a limit: of a row of places it is the end, and no place.
+    pub(super) fn reach(&mut self, cos_theta: CosTheta) {
+        let [smallest, largest] = &mut self.ends;
+        if cos_theta < *smallest {
+            *smallest = cos_theta;
+        }
+        if cos_theta > *largest {
+            *largest = cos_theta;
+        }
+    }
+
     /// Adds what another distribution has seen.
     pub fn merge(&mut self, other: &Self) {
+        if !other.is_empty() {
+            other.ends.into_iter().for_each(|end| self.reach(end));
+        }
         self.weights.iter_mut().zip(other.weights.iter()).for_each(|(weight, more)| *weight += more);
     }
 
@@ -66,11 +85,12 @@ impl Angles {
         self.weights.iter().copied().enumerate().filter(|(_, weight)| *weight > 0.0)
     }
 
-    /// The smallest and the largest angle of the nodes that were seen, in degrees.
+    /// The smallest and the largest angle that were seen, in degrees, to a millionth.
     pub fn range_deg(&self) -> Option<(f64, f64)> {
-        let (largest, _) = self.seen().next()?;
-        let (smallest, _) = self.seen().last()?;
-        Some((COSINES[smallest].deg(), COSINES[largest].deg()))
+        // Near 0° a cosine says no more.
+        let deg = |c: CosTheta| (c.deg() * 1e6).round() / 1e6;
+        let [largest, smallest] = self.ends.map(deg);
+        (!self.is_empty()).then_some((smallest, largest))
     }
 }
 
@@ -105,6 +125,7 @@ mod tests {
         assert!(angles.is_empty() && angles.range_deg().is_none());
         angles.add(CosTheta::FACING, 2.0);
         assert_eq!(angles.seen().collect::<Vec<_>>(), [(NODES - 1, 2.0)]);
+        assert_eq!(angles.range_deg(), Some((0.0, 0.0)));
         let mut both = angles.clone();
         both.merge(&angles);
         assert_eq!(both.total(), 4.0);

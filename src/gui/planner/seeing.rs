@@ -54,7 +54,6 @@ pub(super) enum ApartFiles {
 pub(super) struct ReadPass {
     pass: FacingPass,
     masks: Masks,
-    scene: String,
     warnings: Vec<String>,
 }
 
@@ -77,9 +76,7 @@ impl ReadPass {
                 Masks::Mattes(mattes.collect::<Told<_>>()?)
             }
         };
-        let Plane { width, height, channel, .. } = &ratio;
-        let scene = format!("{}: {width} × {height} pixels of channel {channel}", files.pass.display());
-        Ok(Arc::new(Self { pass: FacingPass { ratio }, masks, scene, warnings }))
+        Ok(Arc::new(Self { pass: FacingPass { ratio }, masks, warnings }))
     }
 }
 
@@ -128,7 +125,8 @@ fn on_shapes(shapes: &[Shape]) -> Told<Found> {
         angles.extend(known.iter().find(|(other, _)| *other == shape).map(|(_, angles)| angles.clone()));
     }
     let labels: Vec<String> = known.iter().map(|(shape, _)| shape.label()).collect();
-    Ok((angles, labels.join("; "), Vec::new()))
+    let warnings = known.iter().filter_map(|(shape, _)| shape.warning()).collect();
+    Ok((angles, labels.join("; "), warnings))
 }
 
 fn in_pass(read: &ReadPass, ids: &[u32], materials: usize) -> Told<Found> {
@@ -139,12 +137,11 @@ fn in_pass(read: &ReadPass, ids: &[u32], materials: usize) -> Told<Found> {
             return Err(format!("The id {} is given to two materials", twice[0]));
         }
     }
-    let Seen { mut angles, report } = read.pass.angles(&read.masks, ids)?;
+    let Seen { mut angles, scene, warnings, .. } = read.pass.angles(&read.masks, ids)?;
     if matches!(read.masks, Masks::None) {
         angles = vec![angles.remove(0); materials];
     }
-    let scene = format!("{}, {} with a surface and {} without", read.scene, report.seen, report.background);
-    Ok((angles, scene, read.warnings.iter().cloned().chain(report.sentences()).collect()))
+    Ok((angles, scene, read.warnings.iter().cloned().chain(warnings).collect()))
 }
 
 #[cfg(test)]
@@ -159,5 +156,8 @@ mod tests {
         assert_eq!(seen.angles[0], seen.angles[2]);
         let card = Shape::Card { from_deg: 60.0, to_deg: 30.0 };
         assert!(SeenScene::of(vec![1], &Seeing::Shapes(vec![card])).unwrap_err().contains("tilted"));
+        let edge = Shape::Card { from_deg: 90.0, to_deg: 90.0 };
+        let seen = SeenScene::of(vec![1], &Seeing::Shapes(vec![edge])).unwrap();
+        assert!(seen.warnings[0].contains("not seen"), "{:?}", seen.warnings);
     }
 }
