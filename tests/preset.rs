@@ -224,7 +224,7 @@ fn files_that_cannot_be_presets_are_refused_unread() {
         fs::write(&path, bytes).unwrap();
         path
     };
-    assert!(refusal(folder.path()).contains("no regular file"));
+    assert!(refusal(folder.path()).contains("not a file"));
     assert!(refusal(&folder.path().join("none.json")).contains("no such file"));
     assert!(refusal(&file("latin1", b"{\"name\": \"\xe9\"}")).contains("UTF-8"));
     assert!(refusal(&file("huge", &vec![b' '; (4 << 20) + 1])).contains("4 MiB"));
@@ -238,7 +238,7 @@ fn a_save_that_fails_leaves_the_old_file() {
     assert!(Preset { r: Rgb::splat(f64::NAN), ..gold() }.save(&path).is_err());
     assert_eq!(Preset::load(&path).unwrap().preset, gold());
 
-    assert!(gold().save(folder.path()).unwrap_err().to_string().contains("no regular file"));
+    assert!(gold().save(folder.path()).unwrap_err().to_string().contains("not a file"));
     assert!(gold().save(&folder.path().join("no/such/folder.json")).is_err());
 }
 
@@ -281,7 +281,7 @@ mod unix {
         let sentence = Preset { name: "Second".to_owned(), ..gold() }.save(&path).unwrap_err().to_string();
         assert!(sentence.contains("read-only"), "{sentence}");
         assert_eq!(Preset::load(&path).unwrap().preset.name, "Gold");
-        assert!(replace_file(Path::new("/dev/null"), b"").unwrap_err().to_string().contains("no regular file"));
+        assert!(replace_file(Path::new("/dev/null"), b"").unwrap_err().to_string().contains("not a file"));
     }
 
     #[test]
@@ -289,8 +289,8 @@ mod unix {
         let folder = tempfile::tempdir().unwrap();
         let pipe = folder.path().join("pipe.json");
         assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-        assert!(Preset::load(&pipe).unwrap_err().to_string().contains("no regular file"));
-        assert!(gold().save(&pipe).unwrap_err().to_string().contains("no regular file"));
+        assert!(Preset::load(&pipe).unwrap_err().to_string().contains("not a file"));
+        assert!(gold().save(&pipe).unwrap_err().to_string().contains("not a file"));
     }
 }
 

@@ -87,6 +87,64 @@ fn ids_are_whole_numbers_of_any_depth() {
     assert_eq!(read("a.exr", &integers, PlaneKind::Id, None).unwrap().values, [5.0, 70_000.0]);
 }
 
+/// 2²⁴ + 1 is no 32-bit float.
+#[test]
+fn ids_are_told_apart_as_far_as_the_file_does() {
+    let ids = vec![16_777_216, 16_777_217, u32::MAX];
+    let integers = exr_of((3, 1), vec![("A", floats(&[1.0; 3])), ("MaterialID", FlatSamples::U32(ids.clone()))]);
+    let plane = read("a.exr", &integers, PlaneKind::Id, None).unwrap();
+    assert_eq!((0..3).map(|pixel| plane.id(pixel).unwrap()).collect::<Vec<_>>(), ids);
+    let largest = |name: &str, bytes: &[u8]| read(name, bytes, PlaneKind::Id, None).unwrap().ids.largest;
+    assert_eq!(largest("a.exr", &integers), u32::MAX);
+    assert_eq!(largest("a.exr", &exr_of((1, 1), vec![("id", floats(&[7.0]))])), 16_777_215);
+    let half = FlatSamples::F16(vec![f16::from_f32(7.0)]);
+    assert_eq!(largest("a.exr", &exr_of((1, 1), vec![("id", half)])), 2047);
+    for (color, depth, data, expected) in [
+        (ColorType::Grayscale, BitDepth::Four, &[0x3f][..], 15),
+        (ColorType::Grayscale, BitDepth::Eight, &[1, 2], 255),
+        (ColorType::Grayscale, BitDepth::Sixteen, &[0, 1, 0, 2], 65_535),
+        (ColorType::Rgb, BitDepth::Eight, &[1, 2, 3, 4, 5, 6], 0xff_ff_ff),
+    ] {
+        assert_eq!(largest("a.png", &png([2, 1], color, depth, data, &[])), expected, "{color:?} {depth:?}");
+    }
+    let mixed = exr_of((3, 1), vec![("id", floats(&[7.5, -1.0, f32::NAN]))]);
+    let mixed = read("a.exr", &mixed, PlaneKind::Id, None).unwrap();
+    assert!((0..3).all(|pixel| mixed.id(pixel).is_none()));
+}
+
+/// A map of normals, a picture of ids or of colours is no facing ratio, although it has a channel that could be one.
+#[test]
+fn channels_that_differ_are_said_unless_one_was_named() {
+    let of_exr = |names: [&'static str; 3], values: [[f32; 2]; 3]| {
+        exr_of((2, 1), names.into_iter().zip(values).map(|(name, values)| (name, floats(&values))).collect())
+    };
+    let normals = [[0.1, 0.2], [0.5, 0.2], [0.9, 0.2]];
+    for names in [["R", "G", "B"], ["X", "Y", "Z"], ["NdotV.R", "NdotV.G", "NdotV.B"]] {
+        let bytes = of_exr(names, normals);
+        let plane = read("a.exr", &bytes, PlaneKind::Facing, None).unwrap();
+        let [told] = plane.warnings.as_slice() else { panic!("{:?}", plane.warnings) };
+        assert!(told.starts_with(&format!("channels {} differ in 50.0 %", names.join(", "))), "{told}");
+        assert!(told.contains(&format!("; {} was taken as the facing ratio", plane.channel)), "{told}");
+        let taken = names.iter().position(|name| *name == plane.channel).unwrap();
+        assert_eq!(plane.values, normals[taken]);
+        let named = read("a.exr", &bytes, PlaneKind::Facing, Some(names[2])).unwrap();
+        assert!(named.warnings.is_empty() && named.values == normals[2]);
+        let grey = of_exr(names, [[0.25, 0.5]; 3]);
+        assert!(read("a.exr", &grey, PlaneKind::Facing, None).unwrap().warnings.is_empty());
+    }
+    // A grey and a depth are no vector.
+    let depth = exr_of((1, 1), vec![("Y", floats(&[0.5])), ("Z", floats(&[9.0]))]);
+    assert!(read("a.exr", &depth, PlaneKind::Facing, None).unwrap().warnings.is_empty());
+    let rgb = |data: &[u8]| png([2, 1], ColorType::Rgb, BitDepth::Eight, data, &[]);
+    let plane = read("a.png", &rgb(&[255, 128, 0, 9, 9, 9]), PlaneKind::Facing, None).unwrap();
+    assert!(plane.warnings[0].contains("50.0 %") && plane.warnings[0].contains("R was taken"), "{:?}", plane.warnings);
+    let matte = read("a.png", &rgb(&[255, 0, 0, 0, 255, 0]), PlaneKind::Matte, None).unwrap();
+    assert!(matte.warnings[0].contains("as the matte"), "{:?}", matte.warnings);
+    assert!(read("a.png", &rgb(&[9, 9, 9, 7, 8, 7]), PlaneKind::Facing, None).unwrap().warnings.is_empty());
+    assert!(read("a.png", &rgb(&[255, 128, 0, 9, 9, 9]), PlaneKind::Id, None).unwrap().warnings.is_empty());
+    assert!(read("a.png", &rgb(&[255, 128, 0, 9, 9, 9]), PlaneKind::Facing, Some("G")).unwrap().warnings.is_empty());
+}
+
 #[test]
 fn what_is_no_pass_is_refused_in_a_sentence() {
     let jpeg = b"\xff\xd8\xff\xe0 not really";

@@ -15,6 +15,7 @@ use super::match_photo::MatchCommand;
 use super::output::{Format, Output, complain, print_line, sentence};
 use super::progress::progress_bar;
 use super::usage;
+use crate::file::other_kind;
 use crate::photo::Untagged;
 use crate::preset::Preset;
 
@@ -239,8 +240,9 @@ fn lines_of(path: &Path) -> anyhow::Result<Vec<Value>> {
 }
 
 fn read_results(path: &Path) -> anyhow::Result<String> {
-    if !path.is_file() {
-        bail!("it is no regular file");
+    let kind = fs::metadata(path)?.file_type();
+    if !kind.is_file() {
+        bail!("this is {}, not a file", other_kind(kind));
     }
     Ok(fs::read_to_string(path)?)
 }

@@ -7,10 +7,11 @@ use clap::Args;
 
 use super::arguments;
 use super::output::{Cell, Format, FormatArguments, Output, Table};
-use super::plan_scene::SceneArguments;
+use super::plan_scene::{FoundScene, SceneArguments};
 use super::progress::Progress;
 use super::times::measured;
 use crate::color::RgbSpace;
+use crate::number::short;
 use crate::preset::pretty_json;
 use crate::scene::{MaterialPlan, Plan, PlanOptions, SavedPlan, SavedScene, Target, Tolerance, Verdict, plan_scene};
 use crate::study::{Costs, Measure};
@@ -45,6 +46,9 @@ pub struct PlanCommand {
     /// Save the plan, for `edgewise export --plan` and `edgewise plan --from`
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Replace the plan that is there
+    #[arg(long, requires = "output")]
+    force: bool,
     #[command(flatten)]
     format: FormatArguments,
 }
@@ -55,26 +59,29 @@ const NAMES_A_SCENE: [&str; 9] =
 
 fn tolerance(text: &str) -> Result<f64, String> {
     let value = arguments::number(text)?;
-    if value >= 0.0 { Ok(value) } else { Err(format!("a tolerance is at least 0, not {value}")) }
+    if value >= 0.0 { Ok(value) } else { Err(format!("a tolerance is at least 0, not {}", short(value))) }
 }
 
 /// What is planned for, and what was asked the last time.
 struct Asked {
     scene: SavedScene,
     sentence: String,
+    notes: Vec<String>,
     options: PlanOptions,
     has_times: bool,
 }
 
 impl PlanCommand {
     pub(super) fn run(self) -> anyhow::Result<Output> {
+        self.refuse_to_replace()?;
         let mut warnings = Vec::new();
-        let Asked { scene, sentence, options, has_times } = self.asked(&mut warnings)?;
+        let Asked { scene, sentence, notes, options, has_times } = self.asked(&mut warnings)?;
+        warnings.extend(notes.iter().cloned());
         let costs = self.costs(options.target, has_times, &mut warnings)?;
         let options = PlanOptions { costs, ..options };
         let progress = Progress::new("Planning");
         let plan = plan_scene(&scene.scene_materials(), &sentence, &options, &|share| progress.report(share))?;
-        let saved = SavedPlan { plan, scene: Ok(scene) };
+        let saved = SavedPlan { plan: Plan { notes, ..plan }, scene: Ok(scene) };
         if let Some(path) = &self.output {
             saved.save(path)?;
         }
@@ -88,12 +95,22 @@ impl PlanCommand {
         Ok(Output { text, warnings, ..Output::default() })
     }
 
+    /// Before anything is read: a plan that is there is replaced only with `--force`.
+    fn refuse_to_replace(&self) -> anyhow::Result<()> {
+        match &self.output {
+            Some(path) if !self.force && path.exists() => {
+                bail!("{} is there already; --force replaces it", path.display())
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// What the arguments ask for; with `--from`, what the saved plan asked for where they do not.
     fn asked(&self, warnings: &mut Vec<String>) -> anyhow::Result<Asked> {
         let Some(path) = &self.from else {
             let options = self.options(&PlanOptions::default());
-            let (scene, sentence) = self.scene.scene(options.space, warnings)?;
-            return Ok(Asked { scene, sentence, options, has_times: false });
+            let FoundScene { scene, sentence, notes } = self.scene.scene(options.space, warnings)?;
+            return Ok(Asked { scene, sentence, notes, options, has_times: false });
         };
         let saved = SavedPlan::load(path)?;
         warnings.extend(saved.remarks());
@@ -102,9 +119,9 @@ impl PlanCommand {
             Ok(scene) => scene,
             Err(reason) => bail!("{}: {reason}", path.display()),
         };
-        let Plan { space, tolerance, target, has_times, scene: sentence, .. } = plan;
+        let Plan { space, tolerance, target, has_times, scene: sentence, notes, .. } = plan;
         let options = self.options(&PlanOptions { space, tolerance, target, costs: Costs::default() });
-        Ok(Asked { scene, sentence, options, has_times })
+        Ok(Asked { scene, sentence, notes, options, has_times })
     }
 
     fn options(&self, before: &PlanOptions) -> PlanOptions {
@@ -162,7 +179,7 @@ fn row(material: &MaterialPlan, plan: &Plan) -> Vec<Cell> {
         Cell::Number(choice.error.angle_of_max_deg, 0),
         Cell::Count(choice.cost.shader_operations.into()),
         Cell::Count(choice.cost.parameter_bytes),
-        Cell::Text(material.reason(plan.tolerance)),
+        Cell::Text(if material.is_seen() { material.reason(plan.tolerance) } else { "it is not seen".to_owned() }),
     ]
 }
 

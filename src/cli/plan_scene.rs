@@ -53,6 +53,15 @@ pub(super) struct SceneArguments {
     ids_channel: Option<String>,
 }
 
+/// What the arguments name.
+pub(super) struct FoundScene {
+    pub(super) scene: SavedScene,
+    /// Where its angles come from.
+    pub(super) sentence: String,
+    /// What a person should know about that.
+    pub(super) notes: Vec<String>,
+}
+
 /// A material as it was named.
 struct Named {
     source: Source,
@@ -82,13 +91,12 @@ impl Where {
 }
 
 impl SceneArguments {
-    /// Reads whatever the arguments name; colours are in the space. With the scene, where its angles come from in a
-    /// sentence.
-    pub(super) fn scene(&self, space: RgbSpace, warnings: &mut Vec<String>) -> anyhow::Result<(SavedScene, String)> {
+    /// Reads whatever the arguments name; colours are in the space.
+    pub(super) fn scene(&self, space: RgbSpace, warnings: &mut Vec<String>) -> anyhow::Result<FoundScene> {
         let named = self.named(space, warnings)?;
         let seen: Vec<Where> = named.iter().map(|named| named.seen.clone()).collect();
-        let (places, angles, pass) = match &self.pass {
-            Some(path) => self.in_pass(path, &seen, warnings)?,
+        let Sights { places, angles, pass, notes } = match &self.pass {
+            Some(path) => self.in_pass(path, &seen)?,
             None => self.on_shapes(&seen)?,
         };
         let sentence = scene_sentence(pass.as_ref().map(|pass| pass.found.as_str()), &places);
@@ -97,7 +105,7 @@ impl SceneArguments {
             let Named { source, file, .. } = named;
             SavedMaterial { source, file, place, angles }
         });
-        Ok((SavedScene { materials: materials.collect(), pass }, sentence))
+        Ok(FoundScene { scene: SavedScene { materials: materials.collect(), pass }, sentence, notes })
     }
 
     fn named(&self, space: RgbSpace, warnings: &mut Vec<String>) -> anyhow::Result<Vec<Named>> {
@@ -115,7 +123,7 @@ impl SceneArguments {
         Ok(named)
     }
 
-    fn on_shapes(&self, seen: &[Where]) -> anyhow::Result<Found> {
+    fn on_shapes(&self, seen: &[Where]) -> anyhow::Result<Sights> {
         let shape = |seen: &Where| match seen {
             Where::Default => Ok(self.seen),
             Where::Shape(shape) => Ok(*shape),
@@ -123,16 +131,21 @@ impl SceneArguments {
         };
         let shapes: Vec<Shape> = seen.iter().map(shape).collect::<anyhow::Result<_>>()?;
         let angles = shapes.iter().map(|shape| shape.angles()).collect();
-        Ok((shapes.into_iter().map(Place::Shape).collect(), angles, None))
+        let mut notes: Vec<String> = Vec::new();
+        for note in shapes.iter().filter_map(|shape| shape.warning()) {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+        Ok(Sights { places: shapes.into_iter().map(Place::Shape).collect(), angles, pass: None, notes })
     }
 
-    fn in_pass(&self, path: &Path, seen: &[Where], warnings: &mut Vec<String>) -> anyhow::Result<Found> {
-        let pass = FacingPass { ratio: open(path, PlaneKind::Facing, self.channel.as_deref(), warnings)? };
-        let Plane { width, height, channel, .. } = &pass.ratio;
-        let scene = format!("{}: {width} × {height} pixels of channel {channel}", path.display());
-        let (masks, ids) = self.masks(seen, warnings)?;
-        let Seen { mut angles, report } = pass.angles(&masks, &ids).map_err(anyhow::Error::msg)?;
-        warnings.extend(report.sentences().into_iter().map(|sentence| format!("{}: {sentence}", path.display())));
+    fn in_pass(&self, path: &Path, seen: &[Where]) -> anyhow::Result<Sights> {
+        let mut notes = Vec::new();
+        let pass = FacingPass { ratio: open(path, PlaneKind::Facing, self.channel.as_deref(), &mut notes)? };
+        let (masks, ids) = self.masks(seen, &mut notes)?;
+        let Seen { mut angles, scene, warnings, .. } = pass.angles(&masks, &ids).map_err(anyhow::Error::msg)?;
+        notes.extend(warnings);
         if matches!(masks, Masks::None) {
             angles = vec![angles.remove(0); seen.len()];
         }
@@ -140,9 +153,9 @@ impl SceneArguments {
             file: kept_path(path),
             channel: self.channel.clone(),
             ids: self.ids.as_deref().map(kept_path),
-            found: format!("{scene}, {} with a surface and {} without", report.seen, report.background),
+            found: scene,
         };
-        Ok((seen.iter().map(Where::place).collect(), angles, Some(saved)))
+        Ok(Sights { places: seen.iter().map(Where::place).collect(), angles, pass: Some(saved), notes })
     }
 
     /// What tells the materials of the pass apart: all in one way.
@@ -164,15 +177,20 @@ impl SceneArguments {
         let mattes = seen.iter().map(|seen| match seen {
             Where::Matte(path) => open(path, PlaneKind::Matte, None, warnings),
             Where::Id(_) => bail!("ids need their picture: --ids FILE"),
-            Where::Shape(shape) => bail!("with --pass no material is seen on a shape ({shape})"),
+            Where::Shape(shape) => bail!("with --pass no material is seen on a shape ({})", shape.label()),
             Where::Default => bail!("where one material has a matte, every one has: MATERIAL@FILE"),
         });
         Ok((Masks::Mattes(mattes.collect::<anyhow::Result<_>>()?), Vec::new()))
     }
 }
 
-/// Where each material is seen, at which angles, and the pass that shows them.
-type Found = (Vec<Place>, Vec<Angles>, Option<SavedPass>);
+/// Where each material is seen, at which angles, the pass that shows them, and what a person should know about that.
+struct Sights {
+    places: Vec<Place>,
+    angles: Vec<Angles>,
+    pass: Option<SavedPass>,
+    notes: Vec<String>,
+}
 
 /// A material and, after the last @, where it is seen.
 fn material(word: &str, space: RgbSpace, warnings: &mut Vec<String>) -> anyhow::Result<Named> {
@@ -189,19 +207,23 @@ fn material(word: &str, space: RgbSpace, warnings: &mut Vec<String>) -> anyhow::
             (Source::Preset(Box::new(loaded.preset)), true)
         }
         "csv" | "yml" | "yaml" => (Source::Metal(Arc::new(Metal::open(path)?)), true),
-        _ if word.contains(',') => (colours(word, space)?, false),
+        _ if word.contains(',') => (colours(word, space, warnings)?, false),
         _ => (Source::Metal(Arc::new(metal_by_name(word)?.clone())), false),
     };
     Ok(Named { source, file: is_file.then(|| kept_path(path)), seen })
 }
 
-fn colours(word: &str, space: RgbSpace) -> anyhow::Result<Source> {
+fn colours(word: &str, space: RgbSpace, warnings: &mut Vec<String>) -> anyhow::Result<Source> {
     let triple = |text: &str| arguments::triple(text).map_err(anyhow::Error::msg);
     let (r, h) = match word.split_once('/') {
         Some((r, h)) => (triple(r)?, triple(h)?),
         None => (triple(word)?, triple(word)?.map(h_of_schlick)),
     };
-    let preset = Preset { name: "Given colours".to_owned(), r, h, space, ..Preset::new_authored() };
+    if r.0.into_iter().chain(h.0).any(|value| !(0.0..=1.0).contains(&value)) {
+        warnings.push(format!("{word} leaves 0–1 in {space}; nothing is clamped"));
+    }
+    // Nobody said how rough it is; a metal of the library is none either.
+    let preset = Preset { name: "Given colours".to_owned(), r, h, space, roughness: 0.0, ..Preset::new_authored() };
     Ok(Source::Preset(Box::new(preset)))
 }
 

@@ -27,8 +27,8 @@ pub struct FileError {
 pub enum FileProblem {
     #[error("there is no such file or folder")]
     NotFound,
-    #[error("it is no regular file")]
-    NotRegular,
+    #[error("this is {0}, not a file")]
+    NotRegular(&'static str),
     #[error("it is there already")]
     Exists,
     #[error("it is read-only")]
@@ -86,8 +86,9 @@ pub fn place_file(path: &Path, bytes: &[u8], may_replace: bool) -> Result<Placed
 
 /// The kind of the file is looked at first: opening a pipe would wait for ever.
 fn text_of(path: &Path, limit_mib: u64) -> Result<String, FileProblem> {
-    if !fs::metadata(path)?.is_file() {
-        return Err(FileProblem::NotRegular);
+    let kind = fs::metadata(path)?.file_type();
+    if !kind.is_file() {
+        return Err(FileProblem::NotRegular(other_kind(kind)));
     }
     let limit = limit_mib << 20;
     let mut bytes = Vec::new();
@@ -98,10 +99,15 @@ fn text_of(path: &Path, limit_mib: u64) -> Result<String, FileProblem> {
     String::from_utf8(bytes).map_err(|_| FileProblem::NotUtf8)
 }
 
+/// What stands where a regular file should.
+pub fn other_kind(kind: fs::FileType) -> &'static str {
+    if kind.is_dir() { "a folder" } else { "a pipe or a device" }
+}
+
 /// The metadata of the regular file that stands at a path, if one does.
 fn standing_file(path: &Path) -> Result<Option<fs::Metadata>, FileProblem> {
     match fs::metadata(path) {
-        Ok(old) if !old.is_file() => Err(FileProblem::NotRegular),
+        Ok(old) if !old.is_file() => Err(FileProblem::NotRegular(other_kind(old.file_type()))),
         Ok(old) => Ok(Some(old)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(error.into()),

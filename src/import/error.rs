@@ -11,8 +11,8 @@ use crate::preset::FormatError;
 pub enum ImportError {
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    #[error("it is no regular file")]
-    NotRegular,
+    #[error("this is {0}, not a file")]
+    NotRegular(&'static str),
     #[error("it is larger than {0} MiB, the limit for a file of this kind")]
     TooLarge(usize),
     #[error("it has more than {0} metals")]

@@ -61,7 +61,7 @@ pub fn import_file(path: &Path, space: Option<RgbSpace>) -> Result<Imported, Imp
     let format = ImportFormat::of_name(&path.to_string_lossy()).ok_or(ImportError::UnknownFormat)?;
     let metadata = fs::metadata(path)?;
     if !metadata.is_file() {
-        return Err(ImportError::NotRegular);
+        return Err(ImportError::NotRegular(if metadata.is_dir() { "a folder" } else { "a pipe or a device" }));
     }
     format.check_size(metadata.len())?;
     import(format, &fs::read(path)?, space)

@@ -52,7 +52,7 @@ pub use mark::MarkError;
 pub use outline::{Outline, OutlineError, find_ball, find_ball_beside, snap_circle};
 pub use picture::{OpenOptions, Photo, Untagged};
 pub use pixel::{Pixel, PixelFlags};
-pub use plane::{Plane, PlaneKind};
+pub use plane::{Ids, Plane, PlaneKind};
 pub use preview::Preview;
 pub use recipe::Recipe;
 pub use request::{MatchRequest, MirrorPair, ReferenceBall};

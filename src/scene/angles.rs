@@ -22,11 +22,13 @@ pub fn node_cosines() -> &'static [CosTheta; NODES] {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Angles {
     weights: Box<[f64; NODES]>,
+    /// The smallest and the largest cosine that was seen; in the wrong order where nothing was.
+    ends: [CosTheta; 2],
 }
 
 impl Default for Angles {
     fn default() -> Self {
-        Self { weights: Box::new([0.0; NODES]) }
+        Self { weights: Box::new([0.0; NODES]), ends: [CosTheta::FACING, CosTheta::GRAZING] }
     }
 }
 
@@ -34,14 +36,28 @@ impl Default for Angles {
 const MOST_SEEN: f64 = 1e15;
 
 impl Angles {
-    /// The weights of the nodes, from grazing to facing; a sentence where they are none.
-    pub fn from_weights(weights: &[f64]) -> Result<Self, String> {
+    /// The weights of the nodes, from grazing to facing, and the smallest and the largest cosine that was seen, none
+    /// where nothing was; a sentence where they are none.
+    pub fn from_weights(weights: &[f64], cosines: Option<[f64; 2]>) -> Result<Self, String> {
         let count = || format!("there must be {NODES} weights, not {}", weights.len());
         let weights: Box<[f64; NODES]> = Box::new(weights.try_into().map_err(|_| count())?);
-        match weights.iter().find(|weight| !(0.0..=MOST_SEEN).contains(*weight)) {
-            Some(weight) => Err(format!("a weight lies in 0–{MOST_SEEN:e}, unlike {weight:e}")),
-            None => Ok(Self { weights }),
+        if let Some(weight) = weights.iter().find(|weight| !(0.0..=MOST_SEEN).contains(*weight)) {
+            return Err(format!("a weight lies in 0–{MOST_SEEN:e}, unlike {weight:e}"));
         }
+        let unseen = Self { weights, ..Self::default() };
+        match cosines {
+            None if unseen.is_empty() => Ok(unseen),
+            None => Err("what is seen has a smallest and a largest cosine".to_owned()),
+            Some([smallest, largest]) if 0.0 <= smallest && smallest <= largest && largest <= 1.0 => {
+                Ok(Self { ends: [smallest, largest].map(CosTheta::new), ..unseen })
+            }
+            Some([smallest, largest]) => Err(format!("cosines go from 0 up to 1, unlike {smallest:e} to {largest:e}")),
+        }
+    }
+
+    /// The smallest and the largest cosine that was seen.
+    pub fn cosines(&self) -> Option<[f64; 2]> {
+        (!self.is_empty()).then(|| self.ends.map(CosTheta::get))
     }
 
     /// The same angles, each seen so many times.
@@ -53,6 +69,9 @@ impl Angles {
     /// Adds something seen at an angle, by its share of the picture; only finite weights above 0 count.
     pub fn add(&mut self, cos_theta: CosTheta, weight: f64) {
         let valid = if weight.is_finite() { weight.max(0.0) } else { 0.0 };
+        if valid > 0.0 {
+            self.reach(cos_theta);
+        }
         let below = ((cos_theta.get().sqrt() * (NODES - 1) as f64).floor() as usize).min(NODES - 2);
         let [low, high] = [below, below + 1].map(|node| COSINES[node].get());
         let share = ((cos_theta.get() - low) / (high - low)).clamp(0.0, 1.0);
@@ -60,8 +79,22 @@ impl Angles {
         self.weights[below + 1] += valid * share;
     }
 
+    /// Lets the range of angles reach one that is a limit: of a row of places it is the end, and no place.
+    pub(super) fn reach(&mut self, cos_theta: CosTheta) {
+        let [smallest, largest] = &mut self.ends;
+        if cos_theta < *smallest {
+            *smallest = cos_theta;
+        }
+        if cos_theta > *largest {
+            *largest = cos_theta;
+        }
+    }
+
     /// Adds what another distribution has seen.
     pub fn merge(&mut self, other: &Self) {
+        if !other.is_empty() {
+            other.ends.into_iter().for_each(|end| self.reach(end));
+        }
         self.weights.iter_mut().zip(other.weights.iter()).for_each(|(weight, more)| *weight += more);
     }
 
@@ -85,11 +118,12 @@ impl Angles {
         self.weights.iter().copied().enumerate().filter(|(_, weight)| *weight > 0.0)
     }
 
-    /// The smallest and the largest angle of the nodes that were seen, in degrees.
+    /// The smallest and the largest angle that were seen, in degrees, to a millionth.
     pub fn range_deg(&self) -> Option<(f64, f64)> {
-        let (largest, _) = self.seen().next()?;
-        let (smallest, _) = self.seen().last()?;
-        Some((COSINES[smallest].deg(), COSINES[largest].deg()))
+        // Near 0° a cosine says no more.
+        let deg = |c: CosTheta| (c.deg() * 1e6).round() / 1e6;
+        let [largest, smallest] = self.ends.map(deg);
+        (!self.is_empty()).then_some((smallest, largest))
     }
 }
 
@@ -118,13 +152,21 @@ mod tests {
     #[test]
     fn weights_of_a_file_are_as_many_as_nodes_and_finite() {
         let weights = [2.0; NODES];
-        assert_eq!(Angles::from_weights(&weights).unwrap().weights(), &weights);
-        assert_eq!(Angles::from_weights(&weights).unwrap().times(0.5).total(), NODES as f64);
-        assert!(Angles::from_weights(&weights[1..]).unwrap_err().contains("257 weights, not 256"));
+        let of = |weights: &[f64]| Angles::from_weights(weights, Some([0.25, 1.0]));
+        assert_eq!(of(&weights).unwrap().weights(), &weights);
+        assert_eq!(of(&weights).unwrap().cosines(), Some([0.25, 1.0]));
+        assert_eq!(of(&weights).unwrap().times(0.5).total(), NODES as f64);
+        assert!(of(&weights[1..]).unwrap_err().contains("257 weights, not 256"));
+        assert!(Angles::from_weights(&weights, None).unwrap_err().contains("a smallest and a largest cosine"));
+        assert_eq!(Angles::from_weights(&[0.0; NODES], None), Ok(Angles::default()));
+        for cosines in [[0.5, 0.4], [-0.1, 0.5], [0.5, 1.1], [f64::NAN, 1.0]] {
+            let refused = Angles::from_weights(&weights, Some(cosines)).unwrap_err();
+            assert!(refused.contains("from 0 up to 1"), "{refused}");
+        }
         for wrong in [-1.0, f64::NAN, f64::INFINITY, 1e16] {
             let mut weights = weights;
             weights[3] = wrong;
-            assert!(Angles::from_weights(&weights).unwrap_err().contains("a weight lies in"), "{wrong}");
+            assert!(of(&weights).unwrap_err().contains("a weight lies in"), "{wrong}");
         }
     }
 
@@ -137,6 +179,7 @@ mod tests {
         assert!(angles.is_empty() && angles.range_deg().is_none());
         angles.add(CosTheta::FACING, 2.0);
         assert_eq!(angles.seen().collect::<Vec<_>>(), [(NODES - 1, 2.0)]);
+        assert_eq!(angles.range_deg(), Some((0.0, 0.0)));
         let mut both = angles.clone();
         both.merge(&angles);
         assert_eq!(both.total(), 4.0);

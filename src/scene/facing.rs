@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::Angles;
+use super::{Angles, Masks};
 use crate::fresnel::CosTheta;
 use crate::photo::Plane;
 
@@ -20,17 +20,6 @@ const CHUNK: usize = 1 << 16;
 pub struct FacingPass {
     /// The cosines.
     pub ratio: Plane,
-}
-
-/// What tells the materials of a pass apart.
-#[derive(Clone, Debug)]
-pub enum Masks {
-    /// Nothing: every material is seen at all the angles of the pass.
-    None,
-    /// A picture of whole numbers, one for each material.
-    Ids(Plane),
-    /// One picture for each material, by its share of each pixel.
-    Mattes(Vec<Plane>),
 }
 
 /// What was found of the pixels of a pass. Nothing is clamped: what is no cosine is left out and counted.
@@ -52,6 +41,14 @@ pub struct FacingReport {
     pub not_finite: u64,
     /// Seen, but of no material that was asked for.
     pub unassigned: u64,
+    /// Covered by more than the whole, which counts as the whole.
+    pub over_covered: u64,
+    /// Shares by mattes of what is seen that are above 1 by more than rounding, and count as 1.
+    pub matte_above_one: u64,
+    /// Shares by mattes that are below 0 by more than rounding, and count as 0.
+    pub matte_below_zero: u64,
+    /// Shares by mattes that are NaN or infinite, and count as 0.
+    pub matte_not_finite: u64,
 }
 
 /// The angles of each material, in the order asked for, and what was found.
@@ -61,6 +58,16 @@ pub struct Seen {
     pub angles: Vec<Angles>,
     /// What was found of the pixels.
     pub report: FacingReport,
+    /// Where the angles come from, as a sentence that names every file.
+    pub scene: String,
+    /// Sentences about what was left out and what is not in the pictures.
+    pub warnings: Vec<String>,
+}
+
+/// What a thread has counted.
+struct Counted {
+    angles: Vec<Angles>,
+    report: FacingReport,
 }
 
 /// What one pixel of the pass is.
@@ -90,42 +97,70 @@ impl Ratio {
 impl FacingPass {
     /// The angles of the materials with these ids, in one run over the pixels; ids count only with [`Masks::Ids`].
     ///
-    /// A sentence where the pictures do not fit together.
+    /// A sentence where the pictures do not fit together, where an id can be in no pixel, and where nothing is seen.
     pub fn angles(&self, masks: &Masks, ids: &[u32]) -> Result<Seen, String> {
-        let others: Vec<&Plane> = match masks {
-            Masks::None => Vec::new(),
-            Masks::Ids(plane) => vec![plane],
-            Masks::Mattes(planes) => planes.iter().collect(),
-        };
-        let size = (self.ratio.width, self.ratio.height);
-        if let Some(other) = others.iter().find(|other| (other.width, other.height) != size) {
-            let Plane { name, width, height, .. } = other;
-            return Err(format!(
-                "{name} has {width} × {height} pixels and {} {} × {}",
-                self.ratio.name, size.0, size.1
-            ));
-        }
+        self.check_sizes(masks)?;
+        masks.check_ids(ids)?;
         let index: BTreeMap<u32, usize> = ids.iter().enumerate().map(|(index, id)| (*id, index)).collect();
         let count = match masks {
             Masks::None => 1,
             Masks::Ids(_) => ids.len(),
             Masks::Mattes(planes) => planes.len(),
         };
-        let empty = || Seen { angles: vec![Angles::default(); count], report: FacingReport::default() };
+        let empty = || Counted { angles: vec![Angles::default(); count], report: FacingReport::default() };
         let starts = (0..self.ratio.values.len()).into_par_iter().step_by(CHUNK);
-        let seen = starts.fold(empty, |mut seen, start| {
-            self.count(start, masks, &index, &mut seen);
-            seen
+        let counted = starts.fold(empty, |mut counted, start| {
+            self.count(start, masks, &index, &mut counted);
+            counted
         });
-        Ok(seen.reduce(empty, Seen::with))
+        let Counted { angles, report } = counted.reduce(empty, Counted::with);
+        if report.seen == 0 {
+            return Err(self.nothing_seen(&report));
+        }
+        let scene = format!("{}{}", self.scene(&report), masks.scene());
+        let warnings = report.sentences().into_iter().map(|sentence| format!("{}: {sentence}", self.ratio.name));
+        let warnings = warnings.chain(masks.unseen(ids, &angles)).collect();
+        Ok(Seen { angles, report, scene, warnings })
+    }
+
+    fn check_sizes(&self, masks: &Masks) -> Result<(), String> {
+        let Plane { name, width, height, .. } = &self.ratio;
+        match masks.planes().iter().find(|other| (other.width, other.height) != (*width, *height)) {
+            Some(other) => Err(format!(
+                "{} has {} × {} pixels and {name} {width} × {height}",
+                other.name, other.width, other.height
+            )),
+            None => Ok(()),
+        }
+    }
+
+    fn scene(&self, report: &FacingReport) -> String {
+        let Plane { name, width, height, channel, .. } = &self.ratio;
+        let FacingReport { seen, background, .. } = report;
+        format!(
+            "{name}: {width} × {height} pixels of channel {channel}, {seen} with a surface and {background} without"
+        )
+    }
+
+    fn nothing_seen(&self, report: &FacingReport) -> String {
+        let Plane { name, channel, .. } = &self.ratio;
+        let told = [
+            (report.background, "without a surface"),
+            (report.below_zero, "below 0"),
+            (report.above_one, "above 1"),
+            (report.not_finite, "no numbers"),
+        ];
+        let told = told.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}"));
+        let told = told.collect::<Vec<_>>().join(", ");
+        format!("{name} is no facing ratio: of the pixels of channel {channel} none is a cosine of 0–1 ({told})")
     }
 
     /// Counts the pixels of one chunk.
-    fn count(&self, start: usize, masks: &Masks, index: &BTreeMap<u32, usize>, seen: &mut Seen) {
+    fn count(&self, start: usize, masks: &Masks, index: &BTreeMap<u32, usize>, seen: &mut Counted) {
         let end = (start + CHUNK).min(self.ratio.values.len());
         let report = &mut seen.report;
         // Neighbours mostly share their id.
-        let mut last: (f32, Option<usize>) = (f32::NAN, None);
+        let mut last: (Option<u32>, Option<usize>) = (None, None);
         for pixel in start..end {
             report.pixels += 1;
             let coverage = self.ratio.coverage.as_ref().map_or(1.0, |coverage| coverage[pixel]);
@@ -141,14 +176,15 @@ impl FacingPass {
                 }
             };
             report.seen += 1;
+            report.over_covered += u64::from(coverage > 1.0 + ROUNDING);
             let cos_theta = CosTheta::new(f64::from(ratio));
             let weight = f64::from(coverage.min(1.0));
             match masks {
                 Masks::None => seen.angles[0].add(cos_theta, weight),
                 Masks::Ids(ids) => {
-                    let id = ids.values[pixel];
+                    let id = ids.id(pixel);
                     if id != last.0 {
-                        last = (id, whole(id).and_then(|id| index.get(&id).copied()));
+                        last = (id, id.and_then(|id| index.get(&id).copied()));
                     }
                     match last.1 {
                         Some(material) => seen.angles[material].add(cos_theta, weight),
@@ -158,9 +194,9 @@ impl FacingPass {
                 Masks::Mattes(mattes) => {
                     let mut is_any = false;
                     for (angles, matte) in seen.angles.iter_mut().zip(mattes) {
-                        let share = matte.values[pixel];
-                        if share > 0.0 && share.is_finite() {
-                            angles.add(cos_theta, weight * f64::from(share.min(1.0)));
+                        let share = report.share_of(matte.values[pixel]);
+                        if share > 0.0 {
+                            angles.add(cos_theta, weight * f64::from(share));
                             is_any = true;
                         }
                     }
@@ -171,13 +207,7 @@ impl FacingPass {
     }
 }
 
-/// The whole number that a value is; a mixture at an edge is none.
-fn whole(value: f32) -> Option<u32> {
-    let is_whole = value.fract() == 0.0 && (0.0..=16_777_216.0).contains(&value);
-    is_whole.then_some(value as u32)
-}
-
-impl Seen {
+impl Counted {
     fn with(mut self, other: Self) -> Self {
         self.angles.iter_mut().zip(&other.angles).for_each(|(angles, more)| angles.merge(more));
         self.report = self.report.with(other.report);
@@ -196,6 +226,17 @@ impl FacingReport {
         }
     }
 
+    /// What counts of a share by a matte.
+    fn share_of(&mut self, matte: f32) -> f32 {
+        if !matte.is_finite() {
+            self.matte_not_finite += 1;
+            return 0.0;
+        }
+        self.matte_above_one += u64::from(matte > 1.0 + ROUNDING);
+        self.matte_below_zero += u64::from(matte < -ROUNDING);
+        matte.clamp(0.0, 1.0)
+    }
+
     fn with(self, other: Self) -> Self {
         Self {
             pixels: self.pixels + other.pixels,
@@ -206,6 +247,10 @@ impl FacingReport {
             below_zero: self.below_zero + other.below_zero,
             not_finite: self.not_finite + other.not_finite,
             unassigned: self.unassigned + other.unassigned,
+            over_covered: self.over_covered + other.over_covered,
+            matte_above_one: self.matte_above_one + other.matte_above_one,
+            matte_below_zero: self.matte_below_zero + other.matte_below_zero,
+            matte_not_finite: self.matte_not_finite + other.matte_not_finite,
         }
     }
 
@@ -217,22 +262,27 @@ impl FacingReport {
             (self.not_finite, "are no numbers and were left out"),
             (self.rounded, "are above 1 by rounding and count as facing"),
             (self.unassigned, "belong to no material that was named"),
+            (self.over_covered, "have an alpha above 1, which counts as 1"),
         ];
         let of = |count: u64| if count == 1 { "1 pixel".to_owned() } else { format!("{count} pixels") };
         let share = |count: u64| 100.0 * count as f64 / self.pixels.max(1) as f64;
         let told = told.into_iter().filter(|(count, _)| *count > 0);
-        let mut sentences: Vec<String> =
-            told.map(|(count, what)| format!("{} ({:.1} %) {what}", of(count), share(count))).collect();
-        if self.seen == 0 {
-            sentences.push("No pixel of the pass shows a surface".to_owned());
-        }
-        sentences
+        let pixels = told.map(|(count, what)| format!("{} ({:.1} %) {what}", of(count), share(count)));
+        let mattes = [
+            (self.matte_above_one, "above 1 count as 1"),
+            (self.matte_below_zero, "below 0 count as 0"),
+            (self.matte_not_finite, "that are no numbers count as 0"),
+        ];
+        let mattes = mattes.into_iter().filter(|(count, _)| *count > 0);
+        let mattes = mattes.map(|(count, what)| format!("values of mattes {what} ({})", of(count)));
+        pixels.chain(mattes).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::photo::Ids;
     use crate::scene::Shape;
 
     fn plane(width: u32, values: Vec<f32>) -> Plane {
@@ -243,6 +293,7 @@ mod tests {
             channel: "Y".to_owned(),
             values,
             coverage: None,
+            ids: Ids::OF_FLOATS,
             warnings: Vec::new(),
         }
     }
@@ -260,7 +311,7 @@ mod tests {
             above_one: 1,
             below_zero: 1,
             not_finite: 2,
-            unassigned: 0,
+            ..FacingReport::default()
         };
         assert_eq!(seen.report, expected);
         assert!((seen.angles[0].total() - 3.0).abs() < 1e-9);
@@ -289,6 +340,63 @@ mod tests {
         assert_eq!(seen.report.unassigned, 2);
         let other = Masks::Ids(plane(1, vec![1.0, 1.0]));
         assert!(pass.angles(&other, &[1]).unwrap_err().contains("1 × 2 pixels"));
+    }
+
+    #[test]
+    fn a_pass_without_a_cosine_is_refused_in_a_sentence() {
+        for (value, reason) in [
+            (f32::NAN, "4 no numbers"),
+            (f32::NEG_INFINITY, "4 no numbers"),
+            (-0.5, "4 below 0"),
+            (0.0, "4 without a surface"),
+            (7.0, "4 above 1"),
+        ] {
+            let pass = FacingPass { ratio: plane(2, vec![value; 4]) };
+            let refused = pass.angles(&Masks::None, &[]).unwrap_err();
+            assert!(refused.contains(reason) && refused.contains("channel Y"), "{refused}");
+        }
+        let mut ratio = plane(2, vec![0.5; 4]);
+        ratio.coverage = Some(vec![0.0; 4]);
+        assert!(FacingPass { ratio }.angles(&Masks::None, &[]).is_err(), "nothing is covered");
+    }
+
+    #[test]
+    fn an_id_that_is_not_seen_is_said_with_those_that_are_there() {
+        let pass = FacingPass { ratio: plane(2, vec![1.0, 0.5, 0.0, 1.0]) };
+        let ids = Masks::Ids(plane(2, vec![1.0, 1.0, 4.0, 2.0]));
+        let seen = pass.angles(&ids, &[1, 9, 4, 2]).unwrap();
+        let [absent, hidden] = seen.warnings.as_slice() else { panic!("{:?}", seen.warnings) };
+        assert!(absent.contains("the id 9 is not in the picture, which has 1, 2 and 4"), "{absent}");
+        assert!(hidden.contains("the id 4 is only where the pass has no surface"), "{hidden}");
+        assert!(seen.scene.ends_with("; ids of made, channel Y"), "{}", seen.scene);
+        assert!(pass.angles(&ids, &[1, 2]).unwrap().warnings.is_empty());
+        // A float of 2²⁴ may have been 2²⁴ + 1.
+        let refused = pass.angles(&ids, &[1, 16_777_216]).unwrap_err();
+        assert!(refused.contains("16777216") && refused.contains("16777215"), "{refused}");
+    }
+
+    #[test]
+    fn exact_ids_are_told_apart_beyond_what_floats_can() {
+        let pass = FacingPass { ratio: plane(2, vec![1.0, 0.5]) };
+        let mut ids = plane(2, vec![16_777_216.0; 2]);
+        ids.ids = Ids { largest: u32::MAX, exact: Some(vec![16_777_216, 16_777_217]) };
+        let seen = pass.angles(&Masks::Ids(ids), &[16_777_217]).unwrap();
+        assert_eq!((seen.angles[0].total(), seen.report.unassigned), (1.0, 1));
+    }
+
+    #[test]
+    fn shares_of_mattes_beyond_the_whole_are_counted_and_said() {
+        let pass = FacingPass { ratio: plane(4, vec![1.0; 4]) };
+        let mattes = Masks::Mattes(vec![plane(4, vec![3.0, -1.0, f32::NAN, 1.0005]), plane(4, vec![0.0; 4])]);
+        let seen = pass.angles(&mattes, &[]).unwrap();
+        let FacingReport { matte_above_one, matte_below_zero, matte_not_finite, .. } = seen.report;
+        assert_eq!((matte_above_one, matte_below_zero, matte_not_finite), (1, 1, 1));
+        assert_eq!(seen.angles[0].total(), 2.0);
+        let told = seen.warnings.join("; ");
+        for said in ["mattes above 1", "mattes below 0", "mattes that are no numbers", "made covers nothing"] {
+            assert!(told.contains(said), "{told}");
+        }
+        assert!(seen.scene.ends_with("; mattes made and made"), "{}", seen.scene);
     }
 
     /// A rendered ball has the angles of the built-in one.

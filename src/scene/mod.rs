@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `angles` | how often each angle is seen |
 //! | `shape` | the angles of built-in shapes |
-//! | `facing` | the angles of a rendered facing-ratio pass, of each material by ids or mattes |
+//! | `facing` | the angles of a rendered facing-ratio pass, and what of it was left out |
+//! | `masks` | what tells the materials of a pass apart: ids or mattes |
 //! | `tolerance` | the error over the angles that are seen, and the bound on it |
 //! | `target` | which cost counts |
 //! | `material` | a material of a scene, and what it is measured against |
@@ -18,6 +19,7 @@
 mod angles;
 mod curves;
 mod facing;
+mod masks;
 mod material;
 mod plan;
 mod plan_export;
@@ -30,7 +32,8 @@ mod tolerance;
 
 pub use angles::{Angles, NODES, node_cosines};
 pub use curves::{MaterialCurves, SceneCurves, VariantCurve};
-pub use facing::{FacingPass, FacingReport, Masks, Seen};
+pub use facing::{FacingPass, FacingReport, Seen};
+pub use masks::Masks;
 pub use material::{SceneMaterial, Source};
 pub use plan::{
     Judgement, MaterialPlan, Plan, PlanError, PlanOptions, Saved, Savings, Verdict, plan_scene, plan_with_curves,

@@ -10,6 +10,7 @@ use super::material::{SceneMaterial, Source, Truth};
 use super::{Angles, MaterialCurves, SceneCurves, SeenError, Target, Tolerance, VariantCurve};
 use crate::color::{Rgb, RgbSpace};
 use crate::metal::metals;
+use crate::number::short;
 use crate::preset::{Origin, Preset};
 use crate::study::{Cost, Costs, Form, Measure, StudyError, Variant};
 
@@ -26,14 +27,22 @@ pub struct PlanOptions {
     pub costs: Costs,
 }
 
+/// Colours reach beyond 0–1 in narrow spaces and under a bright light, but no further than this.
+const MOST_REFLECTANCE: f64 = 10.0;
+
 /// Why there is no plan.
 #[derive(Debug, Error)]
 #[expect(missing_docs, reason = "each variant is said in its message")]
 pub enum PlanError {
     #[error("there is no material to plan for")]
     NoMaterial,
-    #[error("the tolerance must be a finite ΔE of at least 0, not {0}")]
+    #[error("the tolerance must be a finite ΔE of at least 0, not {}", short(*.0))]
     Tolerance(f64),
+    #[error(
+        "{name}: {} is no reflectance; within ±{MOST_REFLECTANCE} the colours of a material can be planned for",
+        short(*value)
+    )]
+    Colour { name: String, value: f64 },
     #[error(transparent)]
     Study(#[from] StudyError),
 }
@@ -55,6 +64,9 @@ pub struct Plan {
     pub materials: Vec<MaterialPlan>,
     /// What the scene saves.
     pub saves: Savings,
+    /// What a person should know about where the angles come from; whoever found them adds it.
+    #[serde(default)]
+    pub notes: Vec<String>,
 }
 
 /// The choice for one material.
@@ -147,6 +159,11 @@ impl MaterialPlan {
         self.judgements.iter().find(|judgement| judgement.verdict == Verdict::Chosen).expect("one was chosen")
     }
 
+    /// True where the scene shows it.
+    pub const fn is_seen(&self) -> bool {
+        self.seen_deg.is_some()
+    }
+
     /// Why nothing cheaper was chosen, as a sentence; empty where nothing is cheaper.
     pub fn reason(&self, tolerance: Tolerance) -> String {
         let too_far = self.judgements.iter().filter(|judgement| judgement.verdict == Verdict::TooFar);
@@ -221,6 +238,7 @@ pub fn plan_with_curves(
         scene: scene.to_owned(),
         saves: savings(&plans, curves, &options.costs),
         materials: plans,
+        notes: Vec::new(),
     })
 }
 
@@ -232,7 +250,16 @@ fn check(materials: &[SceneMaterial], options: &PlanOptions) -> Result<(), PlanE
     if !(limit >= 0.0 && limit.is_finite()) {
         return Err(PlanError::Tolerance(limit));
     }
-    Ok(())
+    materials.iter().try_for_each(check_colours)
+}
+
+fn check_colours(material: &SceneMaterial) -> Result<(), PlanError> {
+    let Source::Preset(preset) = &material.source else { return Ok(()) };
+    let mut values = preset.r.0.into_iter().chain(preset.h.0);
+    match values.find(|value| value.is_nan() || value.abs() > MOST_REFLECTANCE) {
+        Some(value) => Err(PlanError::Colour { name: preset.name.clone(), value }),
+        None => Ok(()),
+    }
 }
 
 fn plan_material(
@@ -269,7 +296,8 @@ fn plan_material(
     }
 }
 
-/// Every variant with what becomes of it, the cheapest first, and of equally cheap ones the nearest to the truth.
+/// Every variant with what becomes of it, the cheapest first, see [`Target::price`], and of equally cheap ones the
+/// nearest to the truth.
 fn judge(curves: &MaterialCurves, angles: &Angles, has_times: bool, options: &PlanOptions) -> Vec<Judgement> {
     let tolerance = options.tolerance;
     let judgement = |curve: &VariantCurve| Judgement {
@@ -278,26 +306,26 @@ fn judge(curves: &MaterialCurves, angles: &Angles, has_times: bool, options: &Pl
         error: if angles.is_empty() { SeenError::NONE } else { SeenError::over(&curve.delta_e, angles) },
         verdict: Verdict::Dearer,
     };
-    let mut judgements: Vec<Judgement> = curves.variants.iter().map(judgement).collect();
-    let price = |j: &Judgement| options.target.price(j.cost, has_times);
-    let key = |j: &Judgement| (price(j).0, price(j).1, j.error.of(tolerance.on));
-    judgements.sort_by(|a, b| {
-        let ((a, b, c), (x, y, z)) = (key(a), key(b));
-        a.total_cmp(&x).then(b.total_cmp(&y)).then(c.total_cmp(&z))
+    let price = |variant| options.target.price(variant, &options.costs, has_times);
+    let priced = curves.variants.iter().map(|curve| (price(curve.of.variant), judgement(curve)));
+    let mut judged: Vec<((f64, f64), Judgement)> = priced.collect();
+    judged.sort_by(|((a_first, a_then), a), ((b_first, b_then), b)| {
+        let errors = a.error.of(tolerance.on).total_cmp(&b.error.of(tolerance.on));
+        a_first.total_cmp(b_first).then(a_then.total_cmp(b_then)).then(errors)
     });
     // The exact variant has no error, so that there is one.
-    let chosen = judgements.iter().position(|j| j.error.is_within(tolerance)).unwrap_or(judgements.len() - 1);
-    let paid = price(&judgements[chosen]);
-    for (index, judgement) in judgements.iter_mut().enumerate() {
+    let chosen = judged.iter().position(|(_, j)| j.error.is_within(tolerance)).unwrap_or(judged.len() - 1);
+    let paid = judged[chosen].0;
+    for (index, (price, judgement)) in judged.iter_mut().enumerate() {
         judgement.verdict = match index {
             _ if index == chosen => Verdict::Chosen,
             _ if index < chosen => Verdict::TooFar,
-            _ if options.target.price(judgement.cost, has_times) > paid => Verdict::Dearer,
+            _ if *price > paid => Verdict::Dearer,
             _ if judgement.error.is_within(tolerance) => Verdict::Farther,
             _ => Verdict::TooFar,
         };
     }
-    judgements
+    judged.into_iter().map(|(_, judgement)| judgement).collect()
 }
 
 fn savings(plans: &[MaterialPlan], curves: &SceneCurves, costs: &Costs) -> Savings {
@@ -338,7 +366,8 @@ impl Plan {
 
 /// Whole where it is large, with a decimal where it is small.
 fn number(value: f64) -> String {
-    if value >= 100.0 || value.fract() == 0.0 { format!("{value:.0}") } else { format!("{value:.1}") }
+    let text = if value >= 100.0 { format!("{value:.0}") } else { format!("{value:.1}") };
+    text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
 #[cfg(test)]
@@ -371,15 +400,59 @@ mod tests {
         plan_scene(&[material], "test", options, &no_progress).unwrap().materials.remove(0)
     }
 
-    /// What a person asked for: below 60° an edge need not be stored.
+    /// Metals that change colour before 60°, since their plasma edge lies in the visible or near it: the blue of caesium
+    /// rises from .36 to .63, that of rubidium from .78 to .87 and that of titanium nitride from .15 to .22, where
+    /// Schlick's curve rises to .38, .79 and .18.
+    const NOT_BY_R_ALONE: [&str; 3] = ["Caesium", "Rubidium", "Titanium nitride"];
+
+    /// What a person asks for: below 60° an edge need not be stored.
     #[test]
     fn a_material_seen_below_60_degrees_is_plain_r() {
+        let card = Shape::Card { from_deg: 0.0, to_deg: 60.0 };
+        let sources: Vec<Source> = preferred_metals().map(|metal| Source::Metal(Arc::new(metal.clone()))).collect();
+        let each: Vec<&Source> = sources.iter().collect();
+        for space in [RgbSpace::LinRec709, RgbSpace::AcesCg] {
+            let curves = SceneCurves::of(&each, space, None, &no_progress).unwrap();
+            let more_than_r = |shape: Shape, options: PlanOptions| {
+                let on = |source: &Source| SceneMaterial { source: source.clone(), angles: shape.angles() };
+                let materials: Vec<SceneMaterial> = sources.iter().map(on).collect();
+                let options = PlanOptions { space, ..options };
+                let plans = plan_with_curves(&materials, &curves, "test", &options).unwrap().materials;
+                plans.into_iter().filter(|plan| !plan.chosen.needs_only_r()).map(|plan| plan.name).collect::<Vec<_>>()
+            };
+            assert_eq!(more_than_r(card, PlanOptions::default()), NOT_BY_R_ALONE, "{space}");
+            let all = more_than_r(Shape::Sphere, options(0.05, Measure::Max, Target::RealTime));
+            assert_eq!(all.len(), sources.len(), "a ball shows every edge");
+        }
+    }
+
+    /// The noise of a clock changes nothing, however often it is looked at.
+    #[test]
+    fn an_offline_plan_is_the_same_whichever_of_two_equal_times_was_shorter() {
         let card = Shape::Card { from_deg: 0.0, to_deg: 60.0 }.angles();
-        for name in ["gold", "silver", "copper", "aluminium", "iron", "chromium"] {
-            let plan = planned(metal(name, card.clone()), &options(2.0, Measure::Max, Target::RealTime));
-            assert!(plan.chosen.needs_only_r(), "{name}: {}", plan.chosen);
-            let sphere = planned(metal(name, Shape::Sphere.angles()), &options(0.05, Measure::Max, Target::RealTime));
-            assert!(!sphere.chosen.needs_only_r(), "{name}: {}", sphere.chosen);
+        let chosen = |constant_ns: f64, schlick_ns: f64| {
+            let ns = |variant: Variant| match variant {
+                Variant::CONSTANT => constant_ns,
+                Variant::SCHLICK => schlick_ns,
+                other => f64::from(other.operations().slots()) * 0.03,
+            };
+            let costs = Costs::with_measured(Variant::ALL.into_iter().map(|v| (v, ns(v))).collect());
+            let options = PlanOptions { costs, target: Target::Offline, ..PlanOptions::default() };
+            planned(metal("chromium", card.clone()), &options).chosen
+        };
+        for [constant, schlick] in [[0.18, 0.20], [0.20, 0.18], [0.2, 0.2]] {
+            assert_eq!(chosen(constant, schlick), Variant::CONSTANT);
+        }
+        assert_eq!(chosen(0.26, 0.2), Variant::SCHLICK, "what is slower by more than noise is dearer");
+    }
+
+    #[test]
+    fn colours_that_are_no_reflectance_are_refused() {
+        for value in [1e300, -11.0, f64::NAN] {
+            let preset = Preset { name: "Mine".to_owned(), r: Rgb([value, 1.0, 1.0]), ..Preset::new_authored() };
+            let material = SceneMaterial { source: Source::Preset(Box::new(preset)), angles: at(&[0.0]) };
+            let refused = plan_scene(&[material], "", &PlanOptions::default(), &no_progress).unwrap_err().to_string();
+            assert!(refused.starts_with("Mine: ") && refused.len() < 120, "{refused}");
         }
     }
 
@@ -461,6 +534,15 @@ mod tests {
         prop::collection::vec(0.0..90.0_f64, 1..30)
     }
 
+    /// Times of any machine: many of them near each other.
+    fn times() -> impl Strategy<Value = Vec<f64>> {
+        prop::collection::vec(0.1..1.0_f64, Variant::ALL.len())
+    }
+
+    fn timed(ns: &[f64]) -> Costs {
+        Costs::with_measured(Variant::ALL.into_iter().zip(ns.iter().copied()).collect())
+    }
+
     fn chosen(judgements: &[Judgement]) -> &Judgement {
         judgements.iter().find(|judgement| judgement.verdict == Verdict::Chosen).unwrap()
     }
@@ -469,13 +551,14 @@ mod tests {
         #[test]
         fn loosening_the_tolerance_never_raises_the_cost(
             metal in 0..curves().len(), degrees in degrees(), on in measure(), target in target(),
-            tight in 0.0..6.0_f64, looser in 0.0..6.0_f64,
+            tight in 0.0..6.0_f64, looser in 0.0..6.0_f64, ns in times(),
         ) {
             let angles = at(&degrees);
+            let costs = timed(&ns);
             let price = |delta_e| {
-                let options = options(delta_e, on, target);
-                let judgements = judge(&curves()[metal], &angles, false, &options);
-                target.price(chosen(&judgements).cost, false)
+                let options = PlanOptions { costs: costs.clone(), ..options(delta_e, on, target) };
+                let judgements = judge(&curves()[metal], &angles, true, &options);
+                target.price(chosen(&judgements).variant, &options.costs, true)
             };
             prop_assert!(price(tight + looser) <= price(tight));
         }
@@ -492,15 +575,17 @@ mod tests {
         #[test]
         fn adding_angles_never_lowers_the_largest_error_of_a_variant_nor_the_cost(
             metal in 0..curves().len(), degrees in degrees(), more in degrees(), target in target(), delta_e in 0.0..6.0_f64,
+            ns in times(),
         ) {
-            let options = options(delta_e, Measure::Max, target);
-            let judged = |degrees: &[f64]| judge(&curves()[metal], &at(degrees), false, &options);
+            let options = PlanOptions { costs: timed(&ns), ..options(delta_e, Measure::Max, target) };
+            let judged = |degrees: &[f64]| judge(&curves()[metal], &at(degrees), true, &options);
             let (few, many) = (judged(&degrees), judged(&[degrees.clone(), more].concat()));
             for judgement in &few {
                 let same = many.iter().find(|other| other.variant == judgement.variant).unwrap();
                 prop_assert!(same.error.max_delta_e >= judgement.error.max_delta_e);
             }
-            prop_assert!(target.price(chosen(&many).cost, false) >= target.price(chosen(&few).cost, false));
+            let price = |judgements: &[Judgement]| target.price(chosen(judgements).variant, &options.costs, true);
+            prop_assert!(price(&many) >= price(&few));
         }
 
         /// The bound holds at the angles themselves, not only at the nodes that stand for them.

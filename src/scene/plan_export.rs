@@ -102,8 +102,8 @@ mod tests {
 
     use super::*;
     use crate::metal::metal_by_name;
-    use crate::scene::{PlanOptions, SceneMaterial, Shape, Source, plan_scene};
-    use crate::study::no_progress;
+    use crate::scene::{PlanOptions, SceneMaterial, Shape, Source, Tolerance, plan_scene};
+    use crate::study::{Measure, no_progress};
 
     fn plan() -> Plan {
         let on = |name, shape: Shape| SceneMaterial {
@@ -115,7 +115,8 @@ mod tests {
             on("iron", Shape::Sphere),
             on("zinc", Shape::Sphere),
         ];
-        plan_scene(&materials, "", &PlanOptions::default(), &no_progress).unwrap()
+        let tolerance = Tolerance { delta_e: 1.0, on: Measure::Max };
+        plan_scene(&materials, "", &PlanOptions { tolerance, ..PlanOptions::default() }, &no_progress).unwrap()
     }
 
     #[test]

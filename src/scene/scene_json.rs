@@ -38,6 +38,9 @@ struct MaterialFields {
     /// Of each node from grazing to facing; missing where they are those of the shape.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     weights: Option<Vec<f64>>,
+    /// With the weights: the smallest and the largest that was seen; missing where nothing was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    cosines: Option<[f64; 2]>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -98,16 +101,17 @@ impl MaterialFields {
             file: file.clone(),
             place: place.clone(),
             weights: (!is_the_shapes).then(|| angles.weights().to_vec()),
+            cosines: angles.cosines().filter(|_| !is_the_shapes),
         })
     }
 
     fn material(self) -> Result<Result<SavedMaterial, NotPlannable>, String> {
-        let Self { source, file, place, weights } = self;
+        let Self { source, file, place, weights, cosines } = self;
         if let Place::Shape(shape) = place {
             shape.checked().map_err(|error| error.to_string())?;
         }
         let angles = match (weights, &place) {
-            (Some(weights), _) => Angles::from_weights(&weights)?,
+            (Some(weights), _) => Angles::from_weights(&weights, cosines)?,
             (None, Place::Shape(shape)) => shape.angles(),
             (None, _) => return Err(format!("what a pass shows has {NODES} weights, and none is there")),
         };

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use super::Angles;
 use crate::fresnel::CosTheta;
+use crate::number::short;
 
 /// A shape in front of a distant eye, or a floor below a near one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -45,9 +46,12 @@ pub enum ShapeError {
         "“{0}” is no shape; write sphere, cylinder, card:0-60 (degrees) or floor:1.7:1-20 (eye, near and far in m)"
     )]
     Unknown(String),
-    #[error("a card is tilted between two angles of 0–90°, the smaller first, not {0}–{1}°")]
+    #[error("a card is tilted between two angles of 0–90°, the smaller first, not {}–{}°", short(*.0), short(*.1))]
     Card(f64, f64),
-    #[error("a floor needs an eye above it and a near place before a far one, all positive, not {0}:{1}-{2}")]
+    #[error(
+        "a floor needs an eye above it and a near place before a far one, all positive, not {}:{}-{}",
+        short(*.0), short(*.1), short(*.2)
+    )]
     Floor(f64, f64, f64),
 }
 
@@ -84,7 +88,14 @@ impl Shape {
         // A card at 90° alone shows nothing: it is seen at its edge.
         let unit = if all > 0.0 { 1.0 / all } else { 0.0 };
         places.iter().for_each(|(cos_theta, weight)| angles.add(*cos_theta, weight * unit));
+        [0.0, 1.0].into_iter().for_each(|end| angles.reach(self.place(end).0));
         angles
+    }
+
+    /// What a person should know of a shape that shows nothing.
+    pub fn warning(self) -> Option<String> {
+        let is_edge = self.angles().is_empty();
+        is_edge.then(|| format!("{} shows only its edge: its material is not seen", self.label()))
     }
 
     /// The cosine at a share of the picture, and how much of the picture is like it.
@@ -111,8 +122,10 @@ impl Shape {
         match self {
             Self::Sphere => "Sphere".to_owned(),
             Self::Cylinder => "Cylinder".to_owned(),
-            Self::Card { from_deg, to_deg } => format!("Card tilted by {from_deg}–{to_deg}°"),
-            Self::Floor { eye_m, near_m, far_m } => format!("Floor {near_m}–{far_m} m away, eye at {eye_m} m"),
+            Self::Card { from_deg, to_deg } => format!("Card tilted by {}–{}°", short(from_deg), short(to_deg)),
+            Self::Floor { eye_m, near_m, far_m } => {
+                format!("Floor {}–{} m away, eye at {} m", short(near_m), short(far_m), short(eye_m))
+            }
         }
     }
 }
@@ -180,6 +193,35 @@ mod tests {
         let floor = Shape::Floor { eye_m: 1.7, near_m: 1.7, far_m: 17.0 };
         let (smallest, largest) = floor.angles().range_deg().unwrap();
         assert!((smallest - 45.0).abs() < 0.5 && (largest - 84.29).abs() < 0.3, "{smallest} {largest}");
+    }
+
+    /// What was asked for is what is reported, not the nodes or the places around it.
+    #[test]
+    fn the_ends_are_those_that_were_asked_for() {
+        for (text, ends) in [
+            ("card:0-60", (0.0, 60.0)),
+            ("card:12.5-89", (12.5, 89.0)),
+            ("card:30-30", (30.0, 30.0)),
+            ("sphere", (0.0, 90.0)),
+            ("cylinder", (0.0, 90.0)),
+            ("floor:2:2-2", (45.0, 45.0)),
+        ] {
+            assert_eq!(text.parse::<Shape>().unwrap().angles().range_deg(), Some(ends), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_card_from_its_edge_is_said_to_show_nothing() {
+        let edge: Shape = "card:90-90".parse().unwrap();
+        assert!(edge.angles().range_deg().is_none() && edge.warning().unwrap().contains("90–90°"));
+        assert!(Shape::USUAL.into_iter().all(|shape| shape.warning().is_none()));
+    }
+
+    #[test]
+    fn long_numbers_are_written_short() {
+        let far: Shape = "floor:1.7:1-1e300".parse().unwrap();
+        assert_eq!(far.label(), "Floor 1–1e300 m away, eye at 1.7 m");
+        assert!("floor:1e300:2-1".parse::<Shape>().unwrap_err().to_string().ends_with("not 1e300:2-1"));
     }
 
     #[test]

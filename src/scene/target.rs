@@ -5,7 +5,7 @@ use std::{fmt, str::FromStr};
 use serde::{Deserialize, Serialize};
 
 use crate::color::UnknownName;
-use crate::study::Cost;
+use crate::study::{CostAxis, Costs, Variant};
 
 /// Where the models run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -14,7 +14,8 @@ pub enum Target {
     /// A shader: operations count, then bytes.
     #[default]
     RealTime,
-    /// A renderer on this machine's processor: measured time counts, then bytes; operations where nothing was measured.
+    /// A renderer on this machine's processor: measured time counts, then operations, which decide where times are equal
+    /// within the noise of the clock; operations, then bytes where nothing was measured.
     Offline,
     /// Parameters in textures: bytes count, then operations.
     TextureMemory,
@@ -43,11 +44,13 @@ impl Target {
     }
 
     /// What is compared first and second; smaller is cheaper. Times count only where all variants have one.
-    pub fn price(self, cost: Cost, has_times: bool) -> (f64, f64) {
+    pub fn price(self, variant: Variant, costs: &Costs, has_times: bool) -> (f64, f64) {
+        let cost = costs.of(variant);
         let (operations, bytes) = (f64::from(cost.shader_operations), cost.parameter_bytes as f64);
+        let timed = || costs.order(variant, CostAxis::MeasuredNs).filter(|_| has_times);
         match self {
             Self::RealTime => (operations, bytes),
-            Self::Offline => (cost.measured_ns.filter(|_| has_times).unwrap_or(operations), bytes),
+            Self::Offline => timed().unwrap_or((operations, bytes)),
             Self::TextureMemory => (bytes, operations),
         }
     }
@@ -74,9 +77,10 @@ mod tests {
 
     #[test]
     fn each_target_looks_at_its_own_cost() {
-        let cost = Cost { measured_ns: Some(0.5), shader_operations: 7, parameter_bytes: 12 };
-        assert_eq!(Target::ALL.map(|target| target.price(cost, true).0), [7.0, 0.5, 12.0]);
-        assert_eq!(Target::Offline.price(cost, false).0, 7.0);
+        let costs = Costs::with_measured(vec![(Variant::SCHLICK, 0.5)]);
+        let prices = Target::ALL.map(|target| target.price(Variant::SCHLICK, &costs, true));
+        assert_eq!(prices, [(9.0, 12.0), (0.5, 9.0), (12.0, 9.0)]);
+        assert_eq!(Target::Offline.price(Variant::SCHLICK, &costs, false), (9.0, 12.0));
         assert!(Target::ALL.into_iter().all(|target| target.id().parse() == Ok(target)));
     }
 }

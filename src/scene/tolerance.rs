@@ -15,9 +15,10 @@ pub struct Tolerance {
 }
 
 impl Default for Tolerance {
-    /// At no angle more than what is just visible side by side.
+    /// At no angle more than 2, the error within which Hoffman ("Fresnel equations considered harmful", 2019, section 2)
+    /// calls Schlick's curve quite accurate; there it bounds the mean, here the worst angle that is seen.
     fn default() -> Self {
-        Self { delta_e: 1.0, on: Measure::Max }
+        Self { delta_e: 2.0, on: Measure::Max }
     }
 }
 

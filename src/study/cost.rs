@@ -81,10 +81,25 @@ impl Cost {
     }
 }
 
+/// Two times of which the longer one is within this factor of the other count as equal.
+///
+/// In twelve runs on a busy machine the ratio of the times of [`Variant::CONSTANT`] and [`Variant::SCHLICK`] was .90 to
+/// 1.02: which of them was shorter, and by how much, was noise.
+pub const EQUAL_TIMES: f64 = 1.15;
+
 /// The costs of all variants: what can be counted, and the times of this machine where they were measured.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Costs {
-    measured_ns: Vec<(Variant, f64)>,
+    times: Vec<Time>,
+}
+
+/// The time of a variant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Time {
+    variant: Variant,
+    ns: f64,
+    /// The shortest of the times that count as equal to it.
+    equal_ns: f64,
 }
 
 impl Costs {
@@ -95,13 +110,43 @@ impl Costs {
 
     /// With nanoseconds of one evaluation of three channels.
     pub fn with_measured(measured_ns: Vec<(Variant, f64)>) -> Self {
-        Self { measured_ns }
+        let mut times: Vec<Time> =
+            measured_ns.into_iter().map(|(variant, ns)| Time { variant, ns, equal_ns: ns }).collect();
+        times.sort_by(|a, b| a.ns.total_cmp(&b.ns));
+        for index in 1..times.len() {
+            let before = times[index - 1];
+            if times[index].ns <= EQUAL_TIMES * before.ns {
+                times[index].equal_ns = before.equal_ns;
+            }
+        }
+        Self { times }
+    }
+
+    fn time(&self, variant: Variant) -> Option<&Time> {
+        self.times.iter().find(|time| time.variant == variant)
+    }
+
+    /// The time of a variant for comparisons, in ns: of equal times the shortest, where two times are equal when they are
+    /// within [`EQUAL_TIMES`] of each other or of one in between. It depends on no other choice than the measurements, so
+    /// that it orders the variants of every material alike. `None` where it was not measured.
+    pub fn equal_ns(&self, variant: Variant) -> Option<f64> {
+        self.time(variant).map(|time| time.equal_ns)
+    }
+
+    /// What decides on an axis which of two variants is cheaper: the first number, and where it is equal the second.
+    /// Times that count as equal are decided by shader operations; `None` where nothing was measured.
+    pub fn order(&self, variant: Variant, axis: CostAxis) -> Option<(f64, f64)> {
+        let operations = || f64::from(variant.operations().slots());
+        match axis {
+            CostAxis::MeasuredNs => Some((self.equal_ns(variant)?, operations())),
+            CostAxis::ShaderOperations | CostAxis::ParameterBytes => Some((self.of(variant).on(axis)?, 0.0)),
+        }
     }
 
     /// The costs of a variant.
     pub fn of(&self, variant: Variant) -> Cost {
         Cost {
-            measured_ns: self.measured_ns.iter().find(|(v, _)| *v == variant).map(|(_, ns)| *ns),
+            measured_ns: self.time(variant).map(|time| time.ns),
             shader_operations: variant.operations().slots(),
             parameter_bytes: variant.parameter_bytes(),
         }
@@ -166,6 +211,8 @@ impl FromStr for CostAxis {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     /// More coefficients, wavelengths or parameters are never cheaper.
@@ -188,6 +235,41 @@ mod tests {
         assert_eq!(costs.of(Variant::SCHLICK).measured_ns, None);
         let timed = Costs::with_measured(vec![(Variant::SCHLICK, 0.2)]);
         assert_eq!(timed.of(Variant::SCHLICK).on(CostAxis::MeasuredNs), Some(0.2));
+    }
+
+    /// What differs by the noise of a clock is decided by operations, whichever was faster.
+    #[test]
+    fn times_within_the_noise_are_equal_and_operations_decide() {
+        for [constant, schlick] in [[0.2, 0.215], [0.215, 0.2], [0.2, 0.2]] {
+            let times = vec![(Variant::SCHLICK, schlick), (Variant::CONSTANT, constant), (Variant::HOFFMAN, 0.27)];
+            let costs = Costs::with_measured(times);
+            let order = |variant| costs.order(variant, CostAxis::MeasuredNs).unwrap();
+            assert_eq!(order(Variant::CONSTANT), (0.2, 3.0));
+            assert_eq!(order(Variant::SCHLICK), (0.2, 9.0));
+            assert_eq!(order(Variant::HOFFMAN), (0.27, 13.0));
+            assert_eq!(costs.of(Variant::SCHLICK).measured_ns, Some(schlick), "what was measured stays");
+        }
+    }
+
+    proptest! {
+        /// Equal times are runs of the sorted ones: equality is transitive, and never turns an order around.
+        #[test]
+        fn equal_times_are_classes(ns in prop::collection::vec(0.1..10.0_f64, Variant::ALL.len())) {
+            let costs = Costs::with_measured(Variant::ALL.into_iter().zip(ns.iter().copied()).collect());
+            let mut all: Vec<(f64, f64)> =
+                Variant::ALL.into_iter().zip(&ns).map(|(v, ns)| (*ns, costs.equal_ns(v).unwrap())).collect();
+            all.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for pair in all.windows(2) {
+                let is_near = pair[1].0 <= EQUAL_TIMES * pair[0].0;
+                prop_assert_eq!(pair[0].1 == pair[1].1, is_near || pair[0].0 == pair[1].0);
+                prop_assert!(pair[0].1 <= pair[1].1);
+            }
+            prop_assert!(all.iter().all(|(ns, equal)| equal <= ns && ns_is_known(&all, *equal)));
+        }
+    }
+
+    fn ns_is_known(all: &[(f64, f64)], equal: f64) -> bool {
+        all.iter().any(|(ns, _)| *ns == equal)
     }
 
     /// Hoffman's model with `a` stored: 1 subtraction, 4 multiplications, 6 of both, and the limits of the cosine.

@@ -54,7 +54,7 @@ pub use conversion::{
     ColourConversion, ConversionOptions, ConversionRow, ConversionSummary, ConvertedParameters, conversion,
     conversion_of, conversion_spread, conversions, conversions_summary,
 };
-pub use cost::{Cost, CostAxis, Costs};
+pub use cost::{Cost, CostAxis, Costs, EQUAL_TIMES};
 pub use csv_text::rows_to_csv;
 pub use decoupling::{
     CrossTalkRow, Decoupling, DecouplingOptions, DecouplingRow, SWEEP_STEPS, Sweep, Swept, decoupling,

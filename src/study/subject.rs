@@ -9,6 +9,7 @@ use crate::color::{Rgb, RgbSpace};
 use crate::fit::{FitError, Method, NotAMaterial, convert, fit_to_truth};
 use crate::fresnel::{CosTheta, FresnelModel, ModelKind, t_from_r_h, whole_degrees};
 use crate::metal::{Metal, TruthCurve, metals};
+use crate::number::short;
 use crate::preset::{Origin, Preset};
 
 /// A material to demonstrate something on.
@@ -65,7 +66,7 @@ impl<'a> Subject<'a> {
         match self {
             Self::Metal(metal) => metal.name.clone(),
             Self::Colours { name, .. } => (*name).to_owned(),
-            Self::Dielectric { n } => format!("Dielectric, n = {n}"),
+            Self::Dielectric { n } => format!("Dielectric, n = {}", short(*n)),
         }
     }
 }

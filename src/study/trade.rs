@@ -45,7 +45,7 @@ pub struct TradeRow {
     pub max_delta_e: f64,
     /// The material with the largest.
     pub worst: String,
-    /// True where no other variant is as cheap and nearer to the truth.
+    /// True where no other variant is as cheap, see [`Costs::order`], and nearer to the truth.
     pub is_on_front: bool,
 }
 
@@ -88,17 +88,20 @@ impl TradeErrors {
         Ok(Self { of: of? })
     }
 
-    /// One row for each variant, the cheapest first; the space of `options` is that of the errors.
+    /// One row for each variant, the cheapest first by [`Costs::order`]; the space of `options` is that of the errors.
     pub fn rows(&self, options: &TradeOptions) -> Vec<TradeRow> {
         let mut rows: Vec<TradeRow> =
             Variant::ALL.into_iter().filter_map(|variant| self.row(variant, options)).collect();
-        let cost = |row: &TradeRow| options.costs.of(row.variant).on(options.cost).unwrap_or(f64::INFINITY);
+        let unknown = (f64::INFINITY, f64::INFINITY);
+        let cost = |row: &TradeRow| options.costs.order(row.variant, options.cost).unwrap_or(unknown);
         rows.sort_by(|a, b| {
-            (cost(a).total_cmp(&cost(b))).then(a.error(options.measure).total_cmp(&b.error(options.measure)))
+            let ((a_first, a_then), (b_first, b_then)) = (cost(a), cost(b));
+            let errors = a.error(options.measure).total_cmp(&b.error(options.measure));
+            a_first.total_cmp(&b_first).then(a_then.total_cmp(&b_then)).then(errors)
         });
         let mut best = f64::INFINITY;
         for row in &mut rows {
-            row.is_on_front = cost(row).is_finite() && row.error(options.measure) < best;
+            row.is_on_front = cost(row) != unknown && row.error(options.measure) < best;
             best = best.min(row.error(options.measure));
         }
         rows
@@ -202,6 +205,25 @@ mod tests {
                 assert!(beaten, "{}", row.variant);
             }
         }
+    }
+
+    /// The noise of a clock moves no variant onto the front, nor off it.
+    #[test]
+    fn the_front_of_times_is_the_same_where_equal_times_swap() {
+        let chromium = [Subject::Metal(metal_by_name("chromium").unwrap())];
+        let errors = TradeErrors::of(&chromium, RgbSpace::LinRec709, &no_progress).unwrap();
+        let front = |constant_ns: f64, schlick_ns: f64| {
+            let ns = |variant: Variant| match variant {
+                Variant::CONSTANT => constant_ns,
+                Variant::SCHLICK => schlick_ns,
+                other => f64::from(other.operations().slots()) * 0.03,
+            };
+            let costs = Costs::with_measured(Variant::ALL.into_iter().map(|v| (v, ns(v))).collect());
+            let rows = errors.rows(&TradeOptions { cost: CostAxis::MeasuredNs, costs, ..TradeOptions::default() });
+            rows.into_iter().filter(|row| row.is_on_front).map(|row| row.variant).collect::<Vec<_>>()
+        };
+        assert_eq!(front(0.20, 0.21), front(0.21, 0.20));
+        assert_eq!(front(0.20, 0.21)[..2], [Variant::CONSTANT, Variant::SCHLICK]);
     }
 
     #[test]

@@ -31,14 +31,15 @@ fn chosen(plan: &Value) -> Vec<&str> {
 
 #[test]
 fn a_material_below_60_degrees_needs_no_h() {
-    let plan = json(&["plan", "gold@card:0-60", "copper@card:0-60", "zinc@sphere", "--tolerance", "2", "--json"]);
+    let plan = json(&["plan", "gold@card:0-60", "copper@card:0-60", "zinc@sphere", "--json"]);
+    assert_eq!(plan["materials"][0]["seen_deg"], serde_json::json!([0.0, 60.0]));
     let chosen = chosen(&plan);
     assert!(["constant:exact", "schlick:exact"].contains(&chosen[0]), "{chosen:?}");
     assert!(["constant:exact", "schlick:exact"].contains(&chosen[1]), "{chosen:?}");
     assert!(!["constant:exact", "schlick:exact"].contains(&chosen[2]), "{chosen:?}");
     let saves = &plan["saves"]["shader_operations"];
     assert!(saves["planned"].as_f64().unwrap() < saves["exact"].as_f64().unwrap() / 100.0);
-    let text = quiet(&["plan", "gold@card:0-60", "--tolerance", "2"]);
+    let text = quiet(&["plan", "gold@card:0-60"]);
     assert!(text.contains("Card tilted by 0–60°") && text.contains("1 of 1 materials needs no h"), "{text}");
 }
 
@@ -55,8 +56,62 @@ fn a_pass_with_ids_gives_each_material_its_angles() {
     assert!(whole["scene"].as_str().unwrap().contains("64 × 64 pixels of channel Y"));
     let one = edgewise(&["plan", "gold@id:1", "--pass", &ratio, "--ids", &ids]);
     assert!(stderr(&one).contains("belong to no material"), "{}", stderr(&one));
+    assert!(whole["notes"].as_array().unwrap().is_empty());
+    let scene = plan["scene"].as_str().unwrap();
+    assert!(scene.ends_with(&format!("; ids of {ids}, channel Y")), "{scene}");
     let unnamed = refusal(1, &["plan", "gold@id:1", "iron", "--pass", &ratio, "--ids", &ids]);
     assert!(unnamed.contains("gold@id:7"), "{unnamed}");
+}
+
+/// What a person would not notice in a table is said on standard error and in the plan.
+#[test]
+fn a_wrong_pass_is_said_or_refused_and_so_are_ids_that_are_not_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let (ratio, ids) = ball(folder.path());
+    let normals = folder.path().join("normals.png");
+    image::ImageBuffer::from_fn(8, 8, |x, y| image::Rgb([x as u8 * 30, y as u8 * 30, 255])).save(&normals).unwrap();
+    let normals = normals.to_str().unwrap();
+    let of_normals = edgewise(&["plan", "gold", "--pass", normals, "--json"]);
+    let told = stderr(&of_normals);
+    assert!(of_normals.status.success() && told.contains("differ in") && told.contains("R was taken"), "{told}");
+    let plan: Value = serde_json::from_slice(&of_normals.stdout).unwrap();
+    assert!(plan["notes"][0].as_str().unwrap().contains("R was taken"), "{}", plan["notes"]);
+    quiet(&["plan", "gold", "--pass", normals, "--channel", "B"]);
+
+    let black = folder.path().join("black.png");
+    grey_png(&black, 8, |_, _| 0);
+    let refused = refusal(1, &["plan", "gold", "--pass", black.to_str().unwrap()]);
+    assert!(refused.contains("none is a cosine") && refused.contains("64 without a surface"), "{refused}");
+
+    let absent = edgewise(&["plan", "gold@id:1", "iron@id:9", "--pass", &ratio, "--ids", &ids]);
+    let (told, text) = (stderr(&absent), String::from_utf8_lossy(&absent.stdout).into_owned());
+    assert!(told.contains("the id 9 is not in the picture, which has 1 and 2"), "{told}");
+    assert!(text.contains("it is not seen"), "{text}");
+    let never = refusal(1, &["plan", "gold@id:65536", "--pass", &ratio, "--ids", &ids]);
+    assert!(never.contains("65536") && never.contains("up to 65535"), "{never}");
+    let edge = edgewise(&["plan", "gold@card:90-90"]);
+    assert!(edge.status.success() && stderr(&edge).contains("not seen"), "{}", stderr(&edge));
+}
+
+#[test]
+fn a_plan_that_is_there_is_replaced_only_when_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plan.json");
+    fs::write(&path, "kept").unwrap();
+    let plan = ["plan", "gold", "-o", path.to_str().unwrap()];
+    assert!(refusal(1, &plan).contains("is there already; --force replaces it"));
+    assert_eq!(fs::read_to_string(&path).unwrap(), "kept");
+    quiet(&[&plan[..], &["--force"]].concat());
+    assert!(fs::read_to_string(&path).unwrap().contains("edgewise_plan"));
+    assert!(refusal(2, &["plan", "gold", "--force"]).contains("--output"));
+}
+
+#[test]
+fn given_colours_have_no_roughness_that_nobody_typed() {
+    let plan = json(&["plan", "0.9,0.7,0.4", "--json"]);
+    assert_eq!(plan["materials"][0]["roughness"], 0.0);
+    let beyond = edgewise(&["plan", "1.05,0.7,0.4"]);
+    assert!(beyond.status.success() && stderr(&beyond).contains("leaves 0–1"), "{}", stderr(&beyond));
 }
 
 /// Time decides offline, so that it is measured; elsewhere only where it is wanted.
@@ -80,6 +135,9 @@ fn nonsense_is_refused_in_a_sentence() {
         (["plan", "unobtainium", "--tolerance", "1"], "unobtainium"),
         (["plan", "gold@id:1", "--tolerance", "1"], "--pass"),
         (["plan", "gold", "--pass", "no.exr"], "no.exr"),
+        (["plan", "1e300,1,1", "--tolerance", "1"], "1e300 is no reflectance"),
+        (["plan", "gold", "--list", env!("CARGO_MANIFEST_DIR")], "this is a folder, not a file"),
+        (["plan", "gold", "--pass", env!("CARGO_MANIFEST_DIR")], "this is a folder, not a file"),
     ] {
         assert!(refusal(1, &arguments).contains(reason), "{arguments:?}");
     }

@@ -137,7 +137,7 @@ fn what_cannot_reflect_is_refused() {
     let with = |more: &[&'static str]| [&colours[..], more].concat();
     assert!(refusal(1, &["reflect", "--metal", "Unobtainium"]).contains("Unobtainium"));
     assert!(refusal(1, &["reflect", "--nk", "no/such.csv"]).contains("no/such.csv"));
-    assert!(refusal(1, &["reflect", "--preset", env!("CARGO_MANIFEST_DIR")]).contains("no regular file"));
+    assert!(refusal(1, &["reflect", "--preset", env!("CARGO_MANIFEST_DIR")]).contains("not a file"));
     assert!(refusal(1, &with(&["--model", "spectral"])).contains("spectrum"));
     assert!(refusal(2, &with(&["--model", "phong"])).contains("hoffman"));
     assert!(refusal(2, &with(&["--model", "spectral-1"])).contains("2–401"));

@@ -106,7 +106,7 @@ fn measure_target_and_space_are_those_of_the_planner() {
     window.click("Mean");
     window.click("What is spared");
     window.click(Target::TextureMemory.label());
-    let tolerance = Tolerance { delta_e: 1.0, on: Measure::Mean };
+    let tolerance = Tolerance { on: Measure::Mean, ..Tolerance::default() };
     let plan = default_plan(&PlanOptions { tolerance, target: Target::TextureMemory, ..PlanOptions::default() });
     assert!(window.shows(&plan.summary()), "{}", plan.summary());
     window.click("What is spared");
@@ -299,7 +299,7 @@ fn the_materials_are_exported_without_what_is_not_needed() {
     let text = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
     assert!(text("gold.glsl").len() < text("chromium.glsl").len(), "gold needs no h");
     // Another plan would replace them.
-    window.enter("Tolerance, number", "3");
+    window.enter("Tolerance, number", "0.1");
     file(&mut window, "Export…", question, folder.path());
     assert!(window.shows("it is there already"));
 }
@@ -351,8 +351,26 @@ fn a_pass_with_ids_says_where_each_is_seen() {
     assert!(window.shows("50 %, 0°") && window.shows("50 %, 80°"), "gold faces the eye, copper does not");
     let (gold, copper) = (row_of(&window, "Gold"), row_of(&window, "Copper"));
     assert!(gold.contains("Constant") && !copper.contains("Constant"), "{gold} {copper}");
+    window.enter("Id of Copper", "9");
+    assert!(window.shows("the id 9 is not in the picture, which has 1 and 2") && window.shows("not seen"));
+    window.enter("Id of Copper", "256");
+    assert!(window.shows("cannot have the id 256"));
     window.enter("Id of Copper", "1");
     assert!(window.shows("The id 1 is given to two materials"));
+}
+
+#[test]
+fn a_picture_that_is_no_facing_ratio_is_said_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let (normals, black) = (folder.path().join("normals.png"), folder.path().join("black.png"));
+    image::RgbImage::from_fn(8, 4, |x, y| image::Rgb([x as u8 * 30, y as u8 * 30, 255])).save(&normals).unwrap();
+    GrayImage::new(8, 4).save(&black).unwrap();
+    let mut window = open();
+    window.click("Rendered pass");
+    window.enter("Path of the facing-ratio pass", normals.to_str().unwrap());
+    assert!(window.shows("R was taken as the facing ratio"));
+    window.enter("Path of the facing-ratio pass", black.to_str().unwrap());
+    assert!(window.shows("none is a cosine of 0–1 (32 without a surface)"));
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::super::usage;
 use super::shown::with_bar;
 use crate::kernel::{Level, level_id, levels};
 use crate::metal::{Metal, NkTable, metals, preferred_metals};
-use crate::photo::Plane;
+use crate::photo::{Ids, Plane};
 use crate::preset::pretty_json;
 use crate::scene::{FacingPass, Masks, PlanOptions, SceneMaterial, Source, plan_scene};
 use crate::spectrum::wavelengths_nm;
@@ -175,6 +175,7 @@ fn plan_s(size: u32, sources: &[Source]) -> anyhow::Result<f64> {
         height: size,
         values,
         coverage: None,
+        ids: Ids::OF_FLOATS,
         warnings: Vec::new(),
     };
     let (pass, masks) = (FacingPass { ratio: plane("ratio", ratio) }, Masks::Ids(plane("ids", ids)));

@@ -95,7 +95,7 @@ impl Planned {
         let space = curves.curves.space();
         let options = PlanOptions { space, tolerance: *tolerance, target: *target, costs: costs.clone() };
         let plan = plan_with_curves(&materials, &curves.curves, &seen.scene, &options);
-        let plan = plan.map_err(|error| error.to_string())?;
+        let plan = Plan { notes: seen.warnings.clone(), ..plan.map_err(|error| error.to_string())? };
         let looks =
             plan.materials.iter().enumerate().map(|(index, material)| Look::of(material, curves.get(index), space));
         Ok(Arc::new(Self {

@@ -56,7 +56,6 @@ pub(super) struct ReadPass {
     files: PassFiles,
     pass: FacingPass,
     masks: Masks,
-    scene: String,
     warnings: Vec<String>,
 }
 
@@ -79,9 +78,7 @@ impl ReadPass {
                 Masks::Mattes(mattes.collect::<Told<_>>()?)
             }
         };
-        let Plane { width, height, channel, .. } = &ratio;
-        let scene = format!("{}: {width} × {height} pixels of channel {channel}", files.pass.display());
-        Ok(Arc::new(Self { files: files.clone(), pass: FacingPass { ratio }, masks, scene, warnings }))
+        Ok(Arc::new(Self { files: files.clone(), pass: FacingPass { ratio }, masks, warnings }))
     }
 
     fn places(&self, ids: &[u32]) -> Vec<Place> {
@@ -170,6 +167,7 @@ fn each(sights: &[Sight], pass: Option<&SavedPass>) -> Told<Found> {
         found.places.push(place);
         found.angles.push(angles);
     }
+    found.warnings.extend(known.iter().filter_map(|(shape, _)| shape.warning()));
     Ok(found)
 }
 
@@ -191,13 +189,12 @@ fn in_pass(read: &ReadPass, ids: &[u32]) -> Told<Found> {
             return Err(format!("The id {} is given to two materials", twice[0]));
         }
     }
-    let Seen { mut angles, report } = read.pass.angles(&read.masks, ids)?;
+    let Seen { mut angles, scene, warnings, .. } = read.pass.angles(&read.masks, ids)?;
     if matches!(read.masks, Masks::None) {
         angles = vec![angles.remove(0); ids.len()];
     }
-    let found = format!("{}, {} with a surface and {} without", read.scene, report.seen, report.background);
-    let warnings = read.warnings.iter().cloned().chain(report.sentences()).collect();
-    Ok(Found { angles, places: read.places(ids), pass: Some(read.saved(found)), warnings })
+    let warnings = read.warnings.iter().cloned().chain(warnings).collect();
+    Ok(Found { angles, places: read.places(ids), pass: Some(read.saved(scene)), warnings })
 }
 
 #[cfg(test)]
@@ -217,6 +214,8 @@ mod tests {
         assert_eq!(seen.angles[0], Shape::Sphere.angles());
         let card = Shape::Card { from_deg: 60.0, to_deg: 30.0 };
         assert!(on(&[card]).unwrap_err().contains("tilted"));
+        let edge = Shape::Card { from_deg: 90.0, to_deg: 90.0 };
+        assert!(on(&[edge]).unwrap().warnings[0].contains("not seen"));
     }
 
     #[test]

@@ -5,9 +5,9 @@ use std::io::Cursor;
 use ::png::{BitDepth, ColorType, Decoder, Transformations};
 
 use super::sniff::Format;
-use super::{Progress, exr, limits, report, sniff};
+use super::{Progress, exr_plane, limits, report, sniff};
 use crate::photo::PhotoErrorKind;
-use crate::photo::plane::{PlaneKind, PlanePixels};
+use crate::photo::plane::{DIFFERENT, Ids, PlaneKind, PlanePixels};
 
 /// Decodes one channel of an OpenEXR or a PNG.
 pub(in crate::photo) fn plane(
@@ -19,7 +19,7 @@ pub(in crate::photo) fn plane(
 ) -> Result<PlanePixels, PhotoErrorKind> {
     limits::check_file(bytes.len() as u64)?;
     match sniff::format(name, bytes)? {
-        Format::Exr => exr::plane(bytes, kind, channel, progress),
+        Format::Exr => exr_plane::plane(bytes, kind, channel, progress),
         Format::Png => png(bytes, kind, channel, progress),
         other => Err(PhotoErrorKind::Unsupported {
             what: format!("{} as a picture of numbers", other.label()),
@@ -54,19 +54,23 @@ fn png(
     report(progress, 1, 2)?;
     let info = reader.info();
     let is_encoded = info.srgb.is_some() || info.icc_profile.is_some() || info.gama_chunk.is_some();
-    let warnings = (is_encoded && kind != PlaneKind::Id).then(|| {
+    let encoded = (is_encoded && kind != PlaneKind::Id).then(|| {
         "the file says that its values are display-encoded colours; they were taken as the numbers they are".to_owned()
     });
     let pixels = size[0] as usize * size[1] as usize;
     let mut values = limits::reserve::<f32>(pixels)?;
     let mut coverage = limits::reserve::<f32>(if layout.alpha.is_some() { pixels } else { 0 })?;
+    let mut differing = 0;
     for pixel in buffer.chunks_exact(layout.stride) {
         values.push(layout.value(pixel));
+        differing += usize::from(layout.differs(pixel));
         coverage.extend(layout.alpha.map(|alpha| layout.sample(pixel, alpha) as f32 / layout.largest()));
     }
     report(progress, 2, 2)?;
     let coverage = layout.alpha.map(|_| coverage);
-    Ok(PlanePixels { size, channel: layout.name, values, coverage, warnings: warnings.into_iter().collect() })
+    let colours = kind.differing(&["R", "G", "B"], &layout.name, differing, pixels);
+    let (channel, ids) = (layout.name, Ids { largest: layout.largest_id, exact: None });
+    Ok(PlanePixels { size, channel, values, coverage, ids, warnings: encoded.into_iter().chain(colours).collect() })
 }
 
 /// Where the wanted numbers are in a pixel.
@@ -78,8 +82,11 @@ struct Layout {
     /// The channels that make the number: one, or three of a colour that stands for an id.
     channels: Vec<usize>,
     alpha: Option<usize>,
+    /// The channels that should say the same, where nobody chose one of them.
+    alike: Option<[usize; 3]>,
     /// What an integer is divided by.
     divisor: f32,
+    largest_id: u32,
 }
 
 impl Layout {
@@ -123,8 +130,20 @@ impl Layout {
             PlaneKind::Id => 1.0,
             _ => largest,
         };
+        let alike = (wanted.is_none() && kind != PlaneKind::Id && names.len() > 2).then_some([0, 1, 2]);
+        // The largest sample, or three of 8 bits beside each other, which floats hold.
+        let largest_id = if channels.len() > 1 { 0xff_ff_ff } else { (largest / divisor) as u32 };
         let name = channels.iter().map(|channel| names[*channel]).collect();
-        Ok(Self { name, stride: names.len() * (1 + usize::from(is_wide)), is_wide, channels, alpha, divisor })
+        let stride = names.len() * (1 + usize::from(is_wide));
+        Ok(Self { name, stride, is_wide, channels, alpha, alike, divisor, largest_id })
+    }
+
+    /// True where the channels of a colour differ by more than rounding.
+    fn differs(&self, pixel: &[u8]) -> bool {
+        self.alike.is_some_and(|alike| {
+            let samples = alike.map(|channel| self.sample(pixel, channel) as f32 / self.largest());
+            samples.iter().any(|sample| (sample - samples[0]).abs() > DIFFERENT)
+        })
     }
 
     fn largest(&self) -> f32 {

@@ -17,11 +17,10 @@ use super::colour::{Claim, Colour, Primaries};
 use super::{Decoded, Progress, limits, report};
 use crate::color::RgbSpace;
 use crate::photo::orientation::Orientation;
-use crate::photo::plane::{PlaneKind, PlanePixels};
 use crate::photo::samples::Samples;
 use crate::photo::{ColourRule, PhotoErrorKind, Warning};
 
-fn damaged(error: ::exr::error::Error) -> PhotoErrorKind {
+pub(super) fn damaged(error: ::exr::error::Error) -> PhotoErrorKind {
     match error {
         ::exr::error::Error::NotSupported(what) => PhotoErrorKind::Unsupported {
             what: format!("an OpenEXR with {what}"),
@@ -33,15 +32,15 @@ fn damaged(error: ::exr::error::Error) -> PhotoErrorKind {
 
 /// Channels of one header that make a picture: colour, then perhaps alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Layer {
+pub(super) struct Layer {
     /// Index of the header.
-    part: usize,
+    pub part: usize,
     /// The name people choose it by; empty for the unnamed layer.
-    name: String,
+    pub name: String,
     /// Indices of R, G, B or of Y in the channel list of the header.
-    colours: Vec<usize>,
+    pub colours: Vec<usize>,
     /// Index of A.
-    alpha: Option<usize>,
+    pub alpha: Option<usize>,
 }
 
 /// Decodes one layer: the unnamed one, or the one asked for.
@@ -68,7 +67,7 @@ pub(super) fn decode(bytes: &[u8], wanted: Option<&str>, progress: Progress<'_>)
 }
 
 /// Refuses what a hostile header could ask for: every chunk has an offset of 8 bytes in the file.
-fn check_headers(headers: &[Header], file_bytes: usize) -> Result<(), PhotoErrorKind> {
+pub(super) fn check_headers(headers: &[Header], file_bytes: usize) -> Result<(), PhotoErrorKind> {
     let chunks = headers.iter().fold(0usize, |sum, header| sum.saturating_add(header.chunk_count));
     if chunks > file_bytes / 8 {
         return Err(PhotoErrorKind::damaged("OpenEXR")(&"its table of blocks is longer than the file"));
@@ -76,7 +75,7 @@ fn check_headers(headers: &[Header], file_bytes: usize) -> Result<(), PhotoError
     Ok(())
 }
 
-fn size_of_header(header: &Header, bytes_per_pixel: u64) -> Result<[u32; 2], PhotoErrorKind> {
+pub(super) fn size_of_header(header: &Header, bytes_per_pixel: u64) -> Result<[u32; 2], PhotoErrorKind> {
     // A block is decompressed with all its channels, also those not asked for.
     let all_channels = header.channels.bytes_per_pixel as u64 * header.max_block_pixels();
     if all_channels > 1 << 30 {
@@ -152,7 +151,7 @@ fn choose<'a>(all: &'a [Layer], wanted: Option<&str>) -> Result<&'a Layer, Photo
 
 impl Layer {
     /// Colour, then alpha.
-    fn channels(&self) -> impl Iterator<Item = usize> + '_ {
+    pub fn channels(&self) -> impl Iterator<Item = usize> + '_ {
         self.colours.iter().copied().chain(self.alpha)
     }
 }
@@ -166,34 +165,55 @@ fn claim(chromaticities: Option<&Chromaticities>) -> Claim {
     })
 }
 
-/// A float type of samples as a file holds them.
-trait FloatSample: AlphaSample + Default + Send + Sync {
+/// What the samples of a file become.
+pub(super) trait Sample: Copy + Default + Send + Sync {
     /// One sample of a line in native byte order.
     fn of_half(sample: f16) -> Self;
     /// One sample of a line in native byte order.
     fn of_float(sample: f32) -> Self;
+    /// One sample of a line in native byte order.
+    fn of_whole(sample: u32) -> Self;
 }
 
-impl FloatSample for f16 {
+impl Sample for f16 {
     fn of_half(sample: f16) -> Self {
         sample
     }
     fn of_float(sample: f32) -> Self {
         f16::from_f32(sample)
     }
+    fn of_whole(sample: u32) -> Self {
+        f16::from_f32(sample as f32)
+    }
 }
 
-impl FloatSample for f32 {
+impl Sample for f32 {
     fn of_half(sample: f16) -> Self {
         sample.to_f32()
     }
     fn of_float(sample: f32) -> Self {
         sample
     }
+    fn of_whole(sample: u32) -> Self {
+        sample as f32
+    }
+}
+
+/// For channels of whole numbers alone: a fraction would be lost.
+impl Sample for u32 {
+    fn of_half(sample: f16) -> Self {
+        sample.to_f32() as u32
+    }
+    fn of_float(sample: f32) -> Self {
+        sample as u32
+    }
+    fn of_whole(sample: u32) -> Self {
+        sample
+    }
 }
 
 /// The pixels of a layer, without alpha.
-fn pixels<T: FloatSample>(
+fn pixels<T: Sample + AlphaSample>(
     reader: Reader<Cursor<&[u8]>>,
     layer: &Layer,
     size: [u32; 2],
@@ -203,7 +223,7 @@ fn pixels<T: FloatSample>(
 }
 
 /// The pixels of a layer with its alpha. Blocks are decompressed on every core, a few at a time.
-fn interleaved<T: FloatSample>(
+pub(super) fn interleaved<T: Sample>(
     reader: Reader<Cursor<&[u8]>>,
     layer: &Layer,
     [width, height]: [u32; 2],
@@ -246,81 +266,6 @@ fn interleaved<T: FloatSample>(
     Ok(interleaved)
 }
 
-/// One channel as it is stored, whatever its name, and the alpha beside it.
-///
-/// Data are multiplied by alpha as colours are (OpenEXR, "Technical introduction", 2023): a facing ratio is divided by
-/// it, so that an edge has the ratio of its surface. Ids and mattes stay as they are.
-pub(super) fn plane(
-    bytes: &[u8],
-    kind: PlaneKind,
-    wanted: Option<&str>,
-    progress: Progress<'_>,
-) -> Result<PlanePixels, PhotoErrorKind> {
-    let reader = read(Cursor::new(bytes), false).map_err(damaged)?;
-    check_headers(reader.headers(), bytes.len())?;
-    let all = channels(reader.headers());
-    let chosen = choose_channel(&all, kind, wanted)?;
-    let beside = chosen.name.rsplit_once('.').map_or("A".to_owned(), |(prefix, _)| format!("{prefix}.A"));
-    let is_alpha = |other: &&Channel| other.part == chosen.part && other.name.eq_ignore_ascii_case(&beside);
-    let alpha = all.iter().find(is_alpha).filter(|alpha| alpha.index != chosen.index).map(|alpha| alpha.index);
-    let layer = Layer { part: chosen.part, name: chosen.name.clone(), colours: vec![chosen.index], alpha };
-    let size = size_of_header(&reader.headers()[layer.part], 8)?;
-    let samples: Vec<f32> = interleaved(reader, &layer, size, progress)?;
-    let (values, coverage) = match alpha {
-        None => (samples, None),
-        Some(_) => {
-            let (values, alpha): (Vec<f32>, Vec<f32>) =
-                samples.as_chunks().0.iter().map(|[v, a]: &[f32; 2]| (*v, *a)).unzip();
-            let covered = |(value, alpha): (&f32, &f32)| value.divided_by(*alpha);
-            let is_ratio = kind == PlaneKind::Facing;
-            let values = if is_ratio { values.iter().zip(&alpha).map(covered).collect() } else { values };
-            (values, Some(alpha))
-        }
-    };
-    Ok(PlanePixels { size, channel: layer.name, values, coverage, warnings: Vec::new() })
-}
-
-/// A channel of any part.
-struct Channel {
-    part: usize,
-    index: usize,
-    /// With the part's name before it, where there are several.
-    name: String,
-}
-
-fn channels(headers: &[Header]) -> Vec<Channel> {
-    let in_part = |(part, header): (usize, &Header)| -> Vec<Channel> {
-        let own_name = header.own_attributes.layer_name.as_ref().map(ToString::to_string).unwrap_or_default();
-        let name = |channel: &str| match own_name.as_str() {
-            own if headers.len() > 1 && !own.is_empty() => format!("{own}.{channel}"),
-            _ => channel.to_owned(),
-        };
-        let list = header.channels.list.iter().enumerate();
-        list.map(|(index, channel)| Channel { part, index, name: name(&channel.name.to_string()) }).collect()
-    };
-    headers.iter().enumerate().flat_map(in_part).collect()
-}
-
-/// The channel asked for; else the one whose name says what is looked for, a single one, or the grey or red of a picture.
-fn choose_channel<'a>(
-    all: &'a [Channel],
-    kind: PlaneKind,
-    wanted: Option<&str>,
-) -> Result<&'a Channel, PhotoErrorKind> {
-    let names = || all.iter().map(|channel| channel.name.clone()).collect();
-    if let Some(wanted) = wanted {
-        let found = all.iter().find(|channel| channel.name.eq_ignore_ascii_case(wanted));
-        return found.ok_or_else(|| PhotoErrorKind::NoSuchLayer { wanted: wanted.to_owned(), layers: names() });
-    }
-    let plain = |name: &str| name.to_ascii_lowercase().replace(['_', '-', ' '], "");
-    let is_named = |channel: &&Channel| kind.names().iter().any(|name| plain(&channel.name).contains(name));
-    let is_called = |wanted: &'static str| move |channel: &&Channel| channel.name.eq_ignore_ascii_case(wanted);
-    let mut of_surface = all.iter().filter(|channel| !is_called("A")(channel));
-    let single = of_surface.next().filter(|_| of_surface.next().is_none());
-    let found = all.iter().find(is_named).or(single).or_else(|| all.iter().find(is_called("Y")));
-    found.or_else(|| all.iter().find(is_called("R"))).ok_or_else(|| PhotoErrorKind::ChooseLayer { layers: names() })
-}
-
 /// The blocks of a part at full resolution.
 fn decompressed(chunks: Vec<Chunk>, part: usize, meta: &MetaData) -> Result<Vec<UncompressedBlock>, PhotoErrorKind> {
     let ours = chunks.into_par_iter().filter(|chunk| chunk.layer_index == part);
@@ -330,7 +275,7 @@ fn decompressed(chunks: Vec<Chunk>, part: usize, meta: &MetaData) -> Result<Vec<
 }
 
 /// Copies the wanted channels of a block into the picture.
-fn place<T: FloatSample>(block: &UncompressedBlock, header: &Header, layer: &Layer, width: usize, picture: &mut [T]) {
+fn place<T: Sample>(block: &UncompressedBlock, header: &Header, layer: &Layer, width: usize, picture: &mut [T]) {
     let channels = layer.channels().count();
     for line in block.lines(&header.channels) {
         let Some(slot) = layer.channels().position(|index| index == line.location.channel) else { continue };
@@ -347,14 +292,14 @@ fn place<T: FloatSample>(block: &UncompressedBlock, header: &Header, layer: &Lay
             }
             SampleType::U32 => {
                 let stored = line.value.as_chunks().0.iter().map(|bytes| u32::from_ne_bytes(*bytes));
-                samples.zip(stored).for_each(|(sample, stored)| *sample = T::of_float(stored as f32));
+                samples.zip(stored).for_each(|(sample, stored)| *sample = T::of_whole(stored));
             }
         }
     }
 }
 
 /// Divides alpha out, as OpenEXR stores colours multiplied by it.
-fn without_alpha<T: FloatSample>(interleaved: Vec<T>, layer: &Layer) -> (Vec<T>, Option<Warning>) {
+fn without_alpha<T: AlphaSample>(interleaved: Vec<T>, layer: &Layer) -> (Vec<T>, Option<Warning>) {
     if layer.alpha.is_none() {
         return (interleaved, None);
     }

@@ -9,6 +9,7 @@ mod colour;
 mod data;
 mod exif;
 mod exr;
+mod exr_plane;
 mod hdr;
 mod icc;
 mod jpeg;
