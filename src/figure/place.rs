@@ -70,11 +70,11 @@ impl Places {
     fn is_free(&self, bounds: Bounds) -> bool {
         let ([left, top, right, bottom], [l, t, r, b]) = (bounds, self.limits);
         let is_inside = left >= l && top >= t && right <= r && bottom <= b;
-        let wide = with_air(bounds);
+        let (from_names, from_lines) = (with_air(bounds, AIR_OF_NAMES), with_air(bounds, AIR_OF_LINES));
         is_inside
             && !self.dots.iter().any(|dot| overlap(*dot, bounds))
-            && !self.names.iter().any(|name| overlap(*name, wide))
-            && !self.lines.iter().any(|line| crosses_box(*line, wide))
+            && !self.names.iter().any(|name| overlap(*name, from_names))
+            && !self.lines.iter().any(|line| crosses_box(*line, from_lines))
     }
 
     /// A leader from a point meets no name, no other dot and no other line.
@@ -84,10 +84,13 @@ impl Places {
     }
 }
 
-/// A box with the air that a name needs to be read apart from other names and lines.
-fn with_air([left, top, right, bottom]: Bounds) -> Bounds {
-    const AIR: (f64, f64) = (2.0, 3.0);
-    [left - AIR.0, top - AIR.1, right + AIR.0, bottom + AIR.1]
+/// The air that a name needs, beside it and above it, to be read apart from another.
+const AIR_OF_NAMES: (f64, f64) = (2.0, 2.0);
+/// The same from a line, which is bolder than a name.
+const AIR_OF_LINES: (f64, f64) = (2.0, 3.0);
+
+fn with_air([left, top, right, bottom]: Bounds, (beside, above): (f64, f64)) -> Bounds {
+    [left - beside, top - above, right + beside, bottom + above]
 }
 
 fn overlap([left, top, right, bottom]: Bounds, [l, t, r, b]: Bounds) -> bool {
