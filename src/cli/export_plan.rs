@@ -34,7 +34,7 @@ pub(super) fn export_plan(
     format: Format,
 ) -> anyhow::Result<Output> {
     let options = Options { space: to.space };
-    let made = Plan::load(path)?.export(targets, &options, |position| to.shard.takes(position))?;
+    let made = Plan::load(path)?.export(None, targets, &options, |position| to.shard.takes(position))?;
     let place = |file: PlannedFile| (to.folder.join(&file.name), file);
     let (files, warnings): (Vec<Placed>, Vec<String>) = (made.files.into_iter().map(place).collect(), made.losses);
     write(&files, &warnings, to)?;

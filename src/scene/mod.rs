@@ -12,6 +12,7 @@
 //! | `plan` | the choice for each material, and what the scene saves |
 //! | `plan_file` | the plan as versioned JSON |
 //! | `plan_export` | its materials as files of other programs, without what the scene does not need |
+//! | `plan_weighing` | how far what such a file says is from the truth, at the angles that are seen |
 
 mod angles;
 mod curves;
@@ -20,6 +21,7 @@ mod material;
 mod plan;
 mod plan_export;
 mod plan_file;
+mod plan_weighing;
 mod shape;
 mod target;
 mod tolerance;
