@@ -113,6 +113,29 @@ fn a_plan_drives_an_export_without_h() {
     assert!(refusal(1, &["export", "--plan", "no.json", "--to", "glsl"]).contains("no.json"));
 }
 
+/// What a plan found within its tolerance is what its files say, and what they cannot say is refused where it must not be.
+#[test]
+fn an_export_keeps_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (fitted, clipped, out) = (path("fitted.json"), path("clipped.json"), path("out"));
+    let plan = json(&["plan", "gold@sphere", "--tolerance", "0.75", "-o", &fitted, "--json"]);
+    assert_eq!(chosen(&plan), ["hoffman:least-squares"]);
+    let written = json(&["export", "--plan", &fitted, "--to", "glsl", "--strict", "-o", &out, "--json"]);
+    assert_eq!(written[0]["variants"][0], "hoffman:least-squares");
+    let h = plan["materials"][0]["parameters"]["model"]["h"][0].as_f64().unwrap();
+    let source = fs::read_to_string(Path::new(&out).join("gold.glsl")).unwrap();
+    assert!(source.contains(&format!("h = {h:.7}")), "{h} {source}");
+
+    quiet(&["plan", "gold@card:0-60", "--tolerance", "1", "-o", &clipped]);
+    let open_pbr = ["export", "--plan", &clipped, "--to", "open-pbr", "-o", &out];
+    assert!(refusal(1, &[&open_pbr[..], &["--strict"]].concat()).contains("with --strict nothing was written"));
+    let told = stderr(&edgewise(&open_pbr));
+    assert!(told.contains("the largest ΔE is 1.3") && told.contains("above 1"), "{told}");
+    let document = fs::read_to_string(Path::new(&out).join("gold.open_pbr.mtlx")).unwrap();
+    assert!(document.contains("above 1 ") && !document.contains("t red"), "{document}");
+}
+
 #[test]
 fn the_trade_is_a_table_and_a_figure() {
     let folder = tempfile::tempdir().unwrap();
