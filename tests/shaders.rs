@@ -60,15 +60,21 @@ struct Call<'a> {
     arguments: &'a [Value],
     values: HashMap<Handle<Expression>, Value>,
     locals: HashMap<Handle<LocalVariable>, Value>,
+    /// The rows of variables that are arrays.
+    tables: HashMap<Handle<LocalVariable>, Handle<Expression>>,
 }
 
 fn call(module: &Module, function: &Function, arguments: &[Value]) -> Value {
-    let mut call = Call { module, function, arguments, values: HashMap::new(), locals: HashMap::new() };
+    let (values, locals, tables) = (HashMap::new(), HashMap::new(), HashMap::new());
+    let mut call = Call { module, function, arguments, values, locals, tables };
     for (handle, local) in function.local_variables.iter() {
-        let is_table = matches!(module.types[local.ty].inner, TypeInner::Array { .. });
-        if let Some(init) = local.init.filter(|_| !is_table) {
-            let value = call.value(init);
-            call.locals.insert(handle, value);
+        match local.init {
+            Some(init) if call.is_table(handle) => _ = call.tables.insert(handle, init),
+            Some(init) => {
+                let value = call.value(init);
+                call.locals.insert(handle, value);
+            }
+            None => {}
         }
     }
     call.run(&function.body).expect("the function returns")
@@ -93,6 +99,10 @@ impl Call<'_> {
                     let Expression::LocalVariable(local) = self.function.expressions[*pointer] else {
                         panic!("a store to something else than a variable");
                     };
+                    if self.is_table(local) {
+                        self.tables.insert(local, *value);
+                        continue;
+                    }
                     let value = self.value(*value);
                     self.locals.insert(local, value);
                 }
@@ -126,6 +136,10 @@ impl Call<'_> {
             Expression::Constant(constant) => self.constant(self.module.constants[constant].init),
             Expression::FunctionArgument(index) => self.arguments[index as usize],
             Expression::Splat { value, .. } => Value::Vector(self.value(value).vector()),
+            // Only its rows are ever asked for.
+            Expression::Compose { ty, .. } if matches!(self.module.types[ty].inner, TypeInner::Array { .. }) => {
+                Value::Scalar(f32::NAN)
+            }
             Expression::Compose { ref components, .. } => compose(components, |handle| self.value(handle)),
             Expression::Load { pointer } => match self.function.expressions[pointer] {
                 Expression::Access { base, index } => self.element(base, self.value(index).scalar() as usize),
@@ -165,6 +179,10 @@ impl Call<'_> {
         }
     }
 
+    fn is_table(&self, local: Handle<LocalVariable>) -> bool {
+        matches!(self.module.types[self.function.local_variables[local].ty].inner, TypeInner::Array { .. })
+    }
+
     /// A component of a vector, or a row of a table.
     fn element(&self, base: Handle<Expression>, index: usize) -> Value {
         match self.function.expressions[base] {
@@ -172,13 +190,7 @@ impl Call<'_> {
                 self.row(self.module.global_variables[table].init.expect("a table has rows"), index)
             }
             Expression::Constant(table) => self.row(self.module.constants[table].init, index),
-            Expression::LocalVariable(local) if !self.locals.contains_key(&local) => {
-                let rows = self.function.local_variables[local].init.expect("a table has rows");
-                let Expression::Compose { ref components, .. } = self.function.expressions[rows] else {
-                    panic!("a table has rows")
-                };
-                self.value(components[index])
-            }
+            Expression::LocalVariable(local) if self.is_table(local) => self.element(self.tables[&local], index),
             Expression::Compose { ref components, .. } => self.value(components[index]),
             _ => Value::Scalar(self.argument(base).vector()[index]),
         }

@@ -127,11 +127,13 @@ impl Plan {
 }
 
 /// The plan's own parameters where they stay within its bound as the target's reader shows them, else the cheapest that
-/// do; where none do, the nearest.
+/// do; where none do, the plan's own again, or the nearest that the target takes.
 fn nearest(scales: &mut Scales<'_>, preset: &Preset, target: Target, options: &Options) -> Result<Said, ExportError> {
     let space = options.space_for(target, preset.space)?;
     let mut nearest: Option<Said> = None;
-    for variant in scales.candidates(target.is_sampled()).into_iter().filter(|v| target.takes(model_of(*v))) {
+    let candidates = scales.candidates(target.is_sampled());
+    let is_own = |said: &Said| said.variant == candidates[0] && said.error.is_finite();
+    for &variant in candidates.iter().filter(|variant| target.takes(model_of(**variant))) {
         let Some(form) = scales.form(variant, space) else { continue };
         let read = match readings(preset, target, options, &form) {
             Err(ExportError::NotFinite(_)) if variant != Variant::HOFFMAN => continue,
@@ -141,7 +143,7 @@ fn nearest(scales: &mut Scales<'_>, preset: &Preset, target: Target, options: &O
         if scales.is_within(error) {
             return Ok(Said { variant, form, error });
         }
-        if nearest.as_ref().is_none_or(|nearest| error < nearest.error) {
+        if nearest.as_ref().is_none_or(|nearest| !is_own(nearest) && error < nearest.error) {
             nearest = Some(Said { variant, form, error });
         }
     }
@@ -203,7 +205,8 @@ mod tests {
         for scene in [Some(&scene[..]), None] {
             let made = plan.export(scene, &[Target::Glsl, Target::Json], &Options::default(), |_| true).unwrap();
             assert!(made.losses.is_empty(), "{:?}", made.losses);
-            assert!(text(&made.files[0]).contains(&format!("{:.6}", h[1])), "{}", text(&made.files[0]));
+            let green = format!("{:.9}", h[1]).trim_end_matches('0').to_owned();
+            assert!(text(&made.files[0]).contains(&green), "{green} {}", text(&made.files[0]));
             let preset = Preset::from_json(text(&made.files[1])).unwrap().preset;
             assert_eq!((preset.r, preset.h), (r, h));
             assert!(matches!(preset.origin, crate::preset::Origin::Edited { .. }), "no longer the measured r and h");
@@ -238,7 +241,7 @@ mod tests {
         for scene in [Some(&scene[..]), None] {
             let made = plan.export(scene, &[Target::Glsl, Target::Blender], &Options::default(), |_| true).unwrap();
             assert_eq!(made.files[0].variant, plan.materials[0].chosen);
-            assert!(made.losses.is_empty(), "{:?}", made.losses);
+            assert!(!made.losses.iter().any(|loss| loss.contains("above")), "{:?}", made.losses);
         }
     }
 
