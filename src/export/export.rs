@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::edge_tint::EdgeTint;
+use super::form::limited_index;
 use super::language::described;
 use super::loss::{Cause, Difference, Parameter, Part, clip};
 use super::material::Material;
@@ -226,6 +227,7 @@ impl<'a> Translation<'a> {
     /// The file says n and k: its own, or those that r and g stand for.
     fn mitsuba(material: &'a Material<'a>) -> Self {
         if let Form::Model { model: FresnelModel::Conductor { n, k } } = material.form {
+            let (n, k) = (limited_index(n), limited_index(k));
             return Self::exact(material, move |header| mitsuba::write(&header.lines, material, (n, k)));
         }
         Self::edge_tint(material, INDEX_MAX_R, "n and k", |header, fit| {

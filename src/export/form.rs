@@ -53,6 +53,12 @@ pub(super) fn is_finite(form: &Form) -> bool {
     }
 }
 
+/// n or k as single precision can compute with it: a fit to a reflectance above 1 leads to 1e40, whose square is infinite.
+/// The limit and everything above it are mirrors.
+pub(super) fn limited_index(index: Rgb) -> Rgb {
+    index.map(|value| value.min(1e8))
+}
+
 /// A form with r and h in place of r and t, which are one curve.
 pub(super) fn with_h(form: Form) -> Form {
     match form {

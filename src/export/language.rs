@@ -1,6 +1,6 @@
 //! A curve of any form as a function in a shading language.
 
-use super::form::a_of_generalized;
+use super::form::{a_of_generalized, limited_index};
 use super::number::{number, triple};
 use super::shader::OSL_SHADER;
 use crate::color::Rgb;
@@ -173,6 +173,7 @@ impl Language {
                 (String::new(), format!("{powers}    return {curve};\n"))
             }
             FresnelModel::Conductor { n, k } => {
+                let [n, k] = [n, k].map(limited_index);
                 let cosine = self.cosine;
                 let body = format!("    return edgewise_conductor({}, {}, {cosine});\n", vector(n), vector(k));
                 (self.conductor(), body)

@@ -100,7 +100,7 @@ fn a_plan_drives_an_export_without_h() {
     let gold = fs::read_to_string(Path::new(out).join("gold.glsl")).unwrap();
     assert!(!gold.contains("vec3 h"), "{gold}");
     let chromium = fs::read_to_string(Path::new(out).join("chromium.glsl")).unwrap();
-    assert!(chromium.contains("vec3 h"), "{chromium}");
+    assert!(chromium.contains("p = p * t"), "chromium is a series: {chromium}");
     let shards = folder.path().join("shards");
     for (shard, files) in [("2/2", vec!["chromium.glsl"]), ("1/2", vec!["chromium.glsl", "gold.glsl"])] {
         json(&["export", "--plan", plan, "--to", "glsl", "--shard", shard, "-o", shards.to_str().unwrap(), "--json"]);
@@ -132,7 +132,7 @@ fn an_export_keeps_the_plan() {
     let open_pbr = ["export", "--plan", &clipped, "--to", "open-pbr", "-o", &out];
     assert!(refusal(1, &[&open_pbr[..], &["--strict"]].concat()).contains("with --strict nothing was written"));
     let told = stderr(&edgewise(&open_pbr));
-    assert!(told.contains("the largest ΔE is 1.3") && told.contains("above 1"), "{told}");
+    assert!(told.contains("the largest ΔE is 1.26") && told.contains("above 1"), "{told}");
     let document = fs::read_to_string(Path::new(&out).join("gold.open_pbr.mtlx")).unwrap();
     assert!(document.contains("above 1 ") && !document.contains("t red"), "{document}");
 }
