@@ -7,16 +7,17 @@
 use std::collections::HashMap;
 
 use edgewise::color::Rgb;
-use edgewise::export::{Kept, Options, Target, export, export_baked, export_kept};
+use edgewise::export::{Options, Target, export, export_baked, export_form};
 use edgewise::fit::{BAKED_COEFFICIENTS, bake};
-use edgewise::fresnel::{CosTheta, SchlickSeries, whole_degrees};
+use edgewise::fresnel::{CosTheta, FresnelModel, SchlickSeries, whole_degrees};
 use edgewise::kernel::{Exported, Operations, Polynomial, SchlickOfPixels};
 use edgewise::metal::metal_by_name;
 use edgewise::preset::Preset;
+use edgewise::study::{Form, Subject, Variant, forms};
 use naga::valid::{Capabilities, FunctionInfo, ModuleInfo, ValidationFlags, Validator};
 use naga::{
-    BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, MathFunction, Module, ShaderStage,
-    Statement, TypeInner, UnaryOperator,
+    BinaryOperator, Block, Expression, Function, Handle, Literal, LocalVariable, MathFunction, Module, ScalarKind,
+    ShaderStage, Statement, TypeInner, UnaryOperator,
 };
 
 /// A scalar or a vector of three.
@@ -59,14 +60,21 @@ struct Call<'a> {
     arguments: &'a [Value],
     values: HashMap<Handle<Expression>, Value>,
     locals: HashMap<Handle<LocalVariable>, Value>,
+    /// The rows of variables that are arrays.
+    tables: HashMap<Handle<LocalVariable>, Handle<Expression>>,
 }
 
 fn call(module: &Module, function: &Function, arguments: &[Value]) -> Value {
-    let mut call = Call { module, function, arguments, values: HashMap::new(), locals: HashMap::new() };
+    let (values, locals, tables) = (HashMap::new(), HashMap::new(), HashMap::new());
+    let mut call = Call { module, function, arguments, values, locals, tables };
     for (handle, local) in function.local_variables.iter() {
-        if let Some(init) = local.init {
-            let value = call.value(init);
-            call.locals.insert(handle, value);
+        match local.init {
+            Some(init) if call.is_table(handle) => _ = call.tables.insert(handle, init),
+            Some(init) => {
+                let value = call.value(init);
+                call.locals.insert(handle, value);
+            }
+            None => {}
         }
     }
     call.run(&function.body).expect("the function returns")
@@ -91,6 +99,10 @@ impl Call<'_> {
                     let Expression::LocalVariable(local) = self.function.expressions[*pointer] else {
                         panic!("a store to something else than a variable");
                     };
+                    if self.is_table(local) {
+                        self.tables.insert(local, *value);
+                        continue;
+                    }
                     let value = self.value(*value);
                     self.locals.insert(local, value);
                 }
@@ -124,8 +136,22 @@ impl Call<'_> {
             Expression::Constant(constant) => self.constant(self.module.constants[constant].init),
             Expression::FunctionArgument(index) => self.arguments[index as usize],
             Expression::Splat { value, .. } => Value::Vector(self.value(value).vector()),
+            // Only its rows are ever asked for.
+            Expression::Compose { ty, .. } if matches!(self.module.types[ty].inner, TypeInner::Array { .. }) => {
+                Value::Scalar(f32::NAN)
+            }
             Expression::Compose { ref components, .. } => compose(components, |handle| self.value(handle)),
-            Expression::Load { pointer } => self.argument(pointer),
+            Expression::Load { pointer } => match self.function.expressions[pointer] {
+                Expression::Access { base, index } => self.element(base, self.value(index).scalar() as usize),
+                Expression::AccessIndex { base, index } => self.element(base, index as usize),
+                _ => self.argument(pointer),
+            },
+            Expression::Access { base, index } => self.element(base, self.value(index).scalar() as usize),
+            Expression::AccessIndex { base, index } => self.element(base, index as usize),
+            Expression::As { expr, kind: ScalarKind::Sint | ScalarKind::Uint, .. } => {
+                self.value(expr).zip(Value::Scalar(0.0), |a, _| a.trunc())
+            }
+            Expression::As { expr, kind: ScalarKind::Float, .. } => self.value(expr),
             Expression::Unary { op: UnaryOperator::Negate, expr } => {
                 self.value(expr).zip(Value::Scalar(0.0), |a, _| -a)
             }
@@ -134,7 +160,46 @@ impl Call<'_> {
                 let above = self.value(arg).zip(self.value(low), f32::max);
                 above.zip(self.value(high), f32::min)
             }
+            Expression::Math { fun: MathFunction::Min, arg, arg1: Some(other), .. } => {
+                self.value(arg).zip(self.value(other), f32::min)
+            }
+            Expression::Math { fun: MathFunction::Pow, arg, arg1: Some(power), .. } => {
+                self.value(arg).zip(self.value(power), f32::powf)
+            }
+            Expression::Math { fun, arg, .. } => {
+                let of_one: fn(f32) -> f32 = match fun {
+                    MathFunction::Sqrt => f32::sqrt,
+                    MathFunction::Abs => f32::abs,
+                    MathFunction::Sign => |a| if a == 0.0 { 0.0 } else { a.signum() },
+                    other => panic!("not expected in these functions: {other:?}"),
+                };
+                self.value(arg).zip(Value::Scalar(0.0), |a, _| of_one(a))
+            }
             ref other => panic!("not expected in these functions: {other:?}"),
+        }
+    }
+
+    fn is_table(&self, local: Handle<LocalVariable>) -> bool {
+        matches!(self.module.types[self.function.local_variables[local].ty].inner, TypeInner::Array { .. })
+    }
+
+    /// A component of a vector, or a row of a table.
+    fn element(&self, base: Handle<Expression>, index: usize) -> Value {
+        match self.function.expressions[base] {
+            Expression::GlobalVariable(table) => {
+                self.row(self.module.global_variables[table].init.expect("a table has rows"), index)
+            }
+            Expression::Constant(table) => self.row(self.module.constants[table].init, index),
+            Expression::LocalVariable(local) if self.is_table(local) => self.element(self.tables[&local], index),
+            Expression::Compose { ref components, .. } => self.value(components[index]),
+            _ => Value::Scalar(self.argument(base).vector()[index]),
+        }
+    }
+
+    fn row(&self, table: Handle<Expression>, index: usize) -> Value {
+        match self.module.global_expressions[table] {
+            Expression::Compose { ref components, .. } => self.constant(components[index]),
+            ref other => panic!("no table: {other:?}"),
         }
     }
 
@@ -152,6 +217,8 @@ fn number(literal: Literal) -> f32 {
     match literal {
         Literal::F32(v) => v,
         Literal::F64(v) | Literal::AbstractFloat(v) => v as f32,
+        Literal::I32(v) => v as f32,
+        Literal::U32(v) => v as f32,
         other => panic!("no float: {other:?}"),
     }
 }
@@ -194,15 +261,28 @@ fn module(target: Target, source: &str) -> Module {
     match target {
         Target::Glsl => module_from_glsl(source),
         Target::Wgsl => validated(naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{e}\n{source}"))),
-        Target::Hlsl => module_from_glsl(
-            &source.replace("float3", "vec3").replace("saturate(cosTheta)", "clamp(cosTheta, 0.0, 1.0)"),
-        ),
+        Target::Hlsl => module_from_glsl(&with_constructed_tables(
+            &source
+                .replace("float3", "vec3")
+                .replace("saturate(cosTheta)", "clamp(cosTheta, 0.0, 1.0)")
+                .replace("static const", "const"),
+        )),
         Target::Osl => {
             let functions = source.split("\nshader ").next().unwrap();
-            module_from_glsl(&functions.replace("color ", "vec3 ").replace("color(", "vec3("))
+            module_from_glsl(&with_constructed_tables(&functions.replace("color ", "vec3 ").replace("color(", "vec3(")))
         }
         other => panic!("{other} is no shading language"),
     }
+}
+
+/// HLSL and OSL write the rows of a table in braces.
+fn with_constructed_tables(source: &str) -> String {
+    let line = |line: &str| match line.strip_suffix("] = {").and_then(|head| Some((head, head.rsplit_once('[')?.1))) {
+        Some((head, count)) => format!("{head}] = vec3[{count}](\n"),
+        None if line == "};" => ");\n".to_owned(),
+        None => format!("{line}\n"),
+    };
+    source.lines().map(line).collect()
 }
 
 const LANGUAGES: [Target; 4] = [Target::Glsl, Target::Hlsl, Target::Wgsl, Target::Osl];
@@ -213,6 +293,11 @@ fn preset(name: &str, r: [f64; 3], h: [f64; 3]) -> Preset {
 
 fn source(preset: &Preset, target: Target) -> String {
     let exported = export(preset, target, &Options::default()).unwrap();
+    String::from_utf8(exported.files[0].bytes.clone()).unwrap()
+}
+
+fn source_of_form(preset: &Preset, target: Target, form: &Form) -> String {
+    let exported = export_form("name", preset, target, &Options::default(), form, &[]).unwrap();
     String::from_utf8(exported.files[0].bytes.clone()).unwrap()
 }
 
@@ -337,9 +422,9 @@ fn exported_functions_have_the_operations_that_are_counted() {
         let whole = module(target, &source(&gold, target));
         assert_eq!(counted(&whole, "edgewise_fresnel"), apart(Operations::of(Exported)), "{target}");
         // Of constants naga computes what it can; where it cannot, they are as variables.
-        let kept = export_kept("gold", &gold, target, &Options::default(), Kept::Schlick).unwrap();
-        let kept = module(target, std::str::from_utf8(&kept.files[0].bytes).unwrap());
-        let (found, all) = (counted(&kept, "fresnel_gold"), apart(Operations::of(SchlickOfPixels)));
+        let only_r = Form::Model { model: FresnelModel::Schlick { r: gold.r } };
+        let only_r = module(target, &source_of_form(&gold, target, &only_r));
+        let (found, all) = (counted(&only_r, "fresnel_gold"), apart(Operations::of(SchlickOfPixels)));
         assert!(found == all || found == Operations { sums: all.sums - 3, ..all }, "{target}: {found:?} {all:?}");
         let baked = export_baked("gold", metal_by_name("gold").unwrap(), target, &Options::default()).unwrap();
         let baked = module(target, std::str::from_utf8(&baked.files[0].bytes).unwrap());
@@ -361,6 +446,28 @@ fn baked_functions_return_their_curve() {
                 let shown = call(&module, function, &[Value::Scalar(c.get() as f32)]).vector();
                 let off = curve.reflectance(c).max_abs_difference(Rgb(shown.map(f64::from)));
                 assert!(off < 1e-6, "{target} {name} {}°: {off}", c.deg());
+            }
+        }
+    }
+}
+
+/// Every parameter that a plan can choose, as a function of its own. Single precision in a sum of 401 wavelengths, or of
+/// an index whose k is in the thousands, keeps five digits.
+#[test]
+fn functions_of_every_variant_return_their_curve() {
+    let space = edgewise::color::RgbSpace::LinRec709;
+    for name in ["gold", "zinc"] {
+        let subject = Subject::Metal(metal_by_name(name).unwrap());
+        let preset = preset(name, [0.5; 3], [0.5; 3]);
+        for of in forms(&subject, &Variant::ALL, space, &mut || std::ops::ControlFlow::Continue(())).unwrap() {
+            for target in LANGUAGES {
+                let module = module(target, &source_of_form(&preset, target, &of.form));
+                let function = function(&module, &format!("fresnel_{name}"));
+                for c in whole_degrees() {
+                    let shown = call(&module, function, &[Value::Scalar(c.get() as f32)]).vector();
+                    let off = of.form.reflectance(c).max_abs_difference(Rgb(shown.map(f64::from)));
+                    assert!(off < 1e-5, "{target} {name} {} {}°: {off}", of.variant, c.deg());
+                }
             }
         }
     }

@@ -34,7 +34,9 @@ pub(super) fn export_plan(
     format: Format,
 ) -> anyhow::Result<Output> {
     let options = Options { space: to.space };
-    let made = SavedPlan::load(path)?.plan.export(targets, &options, |position| to.shard.takes(position))?;
+    let SavedPlan { plan, scene } = SavedPlan::load(path)?;
+    let scene = scene.ok().map(|scene| scene.scene_materials());
+    let made = plan.export(scene.as_deref(), targets, &options, |position| to.shard.takes(position))?;
     let place = |file: PlannedFile| (to.folder.join(&file.name), file);
     let (files, warnings): (Vec<Placed>, Vec<String>) = (made.files.into_iter().map(place).collect(), made.losses);
     write(&files, &warnings, to)?;

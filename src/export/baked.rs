@@ -3,25 +3,27 @@
 
 use super::export::name_in_space;
 use super::names::{identifier, one_ascii_line};
-use super::number::{number, triple};
-use super::shader::OSL_SHADER;
+use super::shader::function;
 use super::{ExportError, ExportFile, Exported, Options, Target};
 use crate::color::{RgbSpace, delta_e_rgb};
 use crate::fit::bake;
 use crate::fresnel::{CosTheta, SchlickSeries};
 use crate::metal::Metal;
 use crate::number::largest;
+use crate::study::Form;
 
 impl Target {
     /// Whether a metal can be written as a function of its own, see [`export_baked`].
     pub const fn can_bake(self) -> bool {
-        Language::of(self).is_some()
+        self.is_shader()
     }
 }
 
 /// Writes a metal as a function of the cosine. What it loses is said in the file, not as a loss: r and h lose more.
 pub fn export_baked(stem: &str, metal: &Metal, target: Target, options: &Options) -> Result<Exported, ExportError> {
-    let language = Language::of(target).ok_or(ExportError::Baked { target })?;
+    if !target.can_bake() {
+        return Err(ExportError::Baked { target });
+    }
     let space = options.space_for(target, RgbSpace::default())?;
     let series = bake(metal, space);
     let header = [
@@ -34,7 +36,7 @@ pub fn export_baked(stem: &str, metal: &Metal, target: Target, options: &Options
         ),
     ];
     let comments: String = header.iter().map(|line| format!("// {}\n", one_ascii_line(line))).collect();
-    let function = language.function(&identifier(&metal.name), &series);
+    let function = function(target, &identifier(&metal.name), &Form::Series(series));
     let bytes = format!("{comments}{function}").into_bytes();
     Ok(Exported { files: vec![ExportFile { name: name_in_space(stem, target, space), bytes }], losses: Vec::new() })
 }
@@ -46,91 +48,6 @@ fn largest_delta_e(metal: &Metal, series: &SchlickSeries, space: RgbSpace) -> f6
         delta_e_rgb(series.reflectance(c), metal.reflectance(c, space), space)
     };
     largest((0..=180).map(off))
-}
-
-/// How a language writes the function: what comes before and after it, a vector, and the declaration of three things.
-struct Language {
-    before: &'static str,
-    after: &'static str,
-    vector: &'static str,
-    signature: &'static str,
-    scalar: &'static str,
-    variable: &'static str,
-    cosine: &'static str,
-}
-
-impl Language {
-    const fn of(target: Target) -> Option<Self> {
-        match target {
-            Target::Glsl => Some(Self {
-                before: "#ifdef GL_ES\nprecision highp float;\n#endif\n\n",
-                after: "",
-                vector: "vec3",
-                signature: "vec3 fresnel_$NAME(float cosTheta)",
-                scalar: "float",
-                variable: "vec3",
-                cosine: "clamp(cosTheta, 0.0, 1.0)",
-            }),
-            Target::Hlsl => Some(Self {
-                before: "",
-                after: "",
-                vector: "float3",
-                signature: "float3 fresnel_$NAME(float cosTheta)",
-                scalar: "float",
-                variable: "float3",
-                cosine: "saturate(cosTheta)",
-            }),
-            Target::Wgsl => Some(Self {
-                before: "",
-                after: "",
-                vector: "vec3<f32>",
-                signature: "fn fresnel_$NAME(cos_theta: f32) -> vec3<f32>",
-                scalar: "let",
-                variable: "var",
-                cosine: "clamp(cos_theta, 0.0, 1.0)",
-            }),
-            Target::Osl => Some(Self {
-                before: "",
-                after: OSL_SHADER,
-                vector: "color",
-                signature: "color fresnel_$NAME(float cosTheta)",
-                scalar: "float",
-                variable: "color",
-                cosine: "clamp(cosTheta, 0.0, 1.0)",
-            }),
-            _ => None,
-        }
-    }
-
-    /// Horner's scheme, then Schlick's curve and the term that vanishes at both ends.
-    fn function(&self, name: &str, series: &SchlickSeries) -> String {
-        let Self { before, after, vector, signature, scalar, variable, cosine } = self;
-        let vector = |rgb| format!("{vector}({})", triple(rgb, ", "));
-        let mut highest_first = series.coefficients.iter().rev();
-        let first = highest_first.next().copied().unwrap_or_default();
-        let steps: String = highest_first.map(|b| format!("    p = p * t + {};\n", vector(*b))).collect();
-        let powers = " * x".repeat(series.first_power.saturating_sub(1) as usize);
-        let text = format!(
-            "{before}\
-             // Schlick 1994, and a polynomial of t fitted to this metal alone; white at grazing.\n\
-             {signature} {{\n    \
-             {scalar} c = {cosine};\n    \
-             {scalar} x = 1.0 - c;\n    \
-             {scalar} t = (1.0 - {} * c) / (1.0 + {} * c);\n    \
-             {scalar} x2 = x * x;\n    \
-             {variable} p = {};\n\
-             {steps}    \
-             return {} + (x2 * x2 * x) * {} + (c * x{powers}) * p;\n\
-             }}\n\
-             {after}",
-            number(2.0 + series.bend),
-            number(series.bend),
-            vector(first),
-            vector(series.r),
-            vector(series.r.map(|r| 1.0 - r)),
-        );
-        text.replace("$NAME", name)
-    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::number::{number, triple};
@@ -25,14 +24,16 @@ pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
     for (interop_id, space) in WORKING_SPACES {
         let tint = Tint::in_space(material, space);
         let (r, t) = (triple(tint.r, ", "), triple(tint.t, ", "));
-        match material.kept {
-            Kept::Whole => writeln!(values, "    \"{interop_id}\": (({r}), ({t})),")?,
-            _ => writeln!(values, "    \"{interop_id}\": ({r}),")?,
+        if material.has_edge() {
+            writeln!(values, "    \"{interop_id}\": (({r}), ({t})),")?;
+        } else {
+            writeln!(values, "    \"{interop_id}\": ({r}),")?;
         }
     }
-    let (head, body) = match material.kept {
-        Kept::Whole => (HEAD.to_owned(), BODY.to_owned()),
-        _ => (HEAD.replace(HEAD_OF_TINT, HEAD_WITHOUT), BODY.replace("r, t = VALUES", "r = VALUES").replace(TINT, "")),
+    let (head, body) = if material.has_edge() {
+        (HEAD.to_owned(), BODY.to_owned())
+    } else {
+        (HEAD.replace(HEAD_OF_TINT, HEAD_WITHOUT), BODY.replace("r, t = VALUES", "r = VALUES").replace(TINT, ""))
     };
     let header: String = header.iter().map(|line| format!("# {line}\n")).collect();
     // A JSON string is a Python string.

@@ -5,11 +5,8 @@ use std::fmt::{self, Write as _};
 use super::export::Written;
 use super::material::Material;
 use super::names::one_ascii_line;
+use super::sampling::CUBE_ROWS;
 use crate::fresnel::CosTheta;
-
-/// Readers interpolate linearly between rows. The curvature of F in the cosine stays below 2·7⁷/6⁶ ·
-/// |r − h| + …  ≈ 140, so that 4096 rows keep within 140 / (8 · 4095²) = 1e-6.
-const ROWS: u32 = 4096;
 
 /// Row i is F at cos θ = i / (rows − 1), unclamped.
 pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
@@ -19,11 +16,10 @@ pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
     }
     writeln!(text, "# Index with the cosine of the angle of incidence, in linear light.")?;
     writeln!(text, "TITLE \"{}\"", one_ascii_line(&material.name).replace('"', "'"))?;
-    writeln!(text, "LUT_1D_SIZE {ROWS}\nDOMAIN_MIN 0.0 0.0 0.0\nDOMAIN_MAX 1.0 1.0 1.0")?;
-    let model = material.model();
-    for row in 0..ROWS {
-        let cos_theta = CosTheta::new(f64::from(row) / f64::from(ROWS - 1));
-        let [red, green, blue] = model.reflectance(cos_theta).0.map(Fixed);
+    writeln!(text, "LUT_1D_SIZE {CUBE_ROWS}\nDOMAIN_MIN 0.0 0.0 0.0\nDOMAIN_MAX 1.0 1.0 1.0")?;
+    for row in 0..CUBE_ROWS {
+        let cos_theta = CosTheta::new(f64::from(row) / f64::from(CUBE_ROWS - 1));
+        let [red, green, blue] = material.form.reflectance(cos_theta).0.map(Fixed);
         writeln!(text, "{red} {green} {blue}")?;
     }
     Ok(text.into_bytes())

@@ -5,12 +5,13 @@ use crate::color::Rgb;
 use crate::fit::{Nearness, g_nearest};
 use crate::fresnel::{FresnelModel, Nk, hoffman, nk_from_r_g, whole_degrees};
 
-/// r and g closest to a curve.
+/// r and g, given or closest to a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct EdgeTint {
     pub r: Rgb,
     pub g: Rgb,
     clips: Vec<Clip>,
+    is_fitted: bool,
 }
 
 impl EdgeTint {
@@ -19,7 +20,15 @@ impl EdgeTint {
         let mut clips = Vec::new();
         let clipped = clip(Parameter::R, r, max_r, &mut clips);
         let g = Rgb(std::array::from_fn(|i| nearest_edge_tint(clipped[i], r[i], h[i])));
-        Self { r: clipped, g, clips }
+        Self { r: clipped, g, clips, is_fitted: true }
+    }
+
+    /// r and g as they are, but for what the reader clips.
+    pub(super) fn given(r: Rgb, g: Rgb, max_r: f64) -> Self {
+        let mut clips = Vec::new();
+        let r = clip(Parameter::R, r, max_r, &mut clips);
+        let g = clip(Parameter::G, g, 1.0, &mut clips);
+        Self { r, g, clips, is_fitted: false }
     }
 
     /// The curve a reader shows.
@@ -30,7 +39,7 @@ impl EdgeTint {
     /// What was lost to get there; `what` names the parameters of the reader.
     pub(super) fn causes(&self, what: &'static str) -> Vec<Cause> {
         let clipped = (!self.clips.is_empty()).then(|| Cause::Clipped(self.clips.clone()));
-        clipped.into_iter().chain([Cause::Fitted(what)]).collect()
+        clipped.into_iter().chain(self.is_fitted.then_some(Cause::Fitted(what))).collect()
     }
 
     /// The index triple (n, k) it stands for.

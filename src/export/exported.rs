@@ -41,7 +41,7 @@ pub struct Options {
 
 impl Options {
     /// The space the numbers of a target are written in; `own` is the preset's.
-    pub(super) fn space_for(&self, target: Target, own: RgbSpace) -> Result<RgbSpace, ExportError> {
+    pub fn space_for(&self, target: Target, own: RgbSpace) -> Result<RgbSpace, ExportError> {
         let allowed = target.spaces();
         match self.space {
             None if target == Target::Json => Ok(own),
@@ -58,7 +58,7 @@ impl Options {
 pub enum ExportError {
     #[error("there is no preset to export")]
     NoPreset,
-    #[error("“{0}” has a value that is no number; only finite r and h can be exported")]
+    #[error("“{0}” has a value that is no number; only finite parameters can be exported")]
     NotFinite(String),
     #[error("“{preset}” has roughness {roughness}; it must lie in 0–1")]
     Roughness { preset: String, roughness: f64 },

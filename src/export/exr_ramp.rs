@@ -7,22 +7,19 @@ use exr::prelude::*;
 use super::export::Written;
 use super::material::Material;
 use super::names::one_ascii_line;
+use super::sampling::{RAMP_WIDTH, texel_centre};
 use crate::color::{Chromaticity, RgbSpace};
-use crate::fresnel::CosTheta;
-
-const WIDTH: u32 = 4096;
 
 /// Column i is F at cos θ = (i + 0.5) / width, the centre of its texel; 32-bit, unclamped.
-pub(super) fn write(material: &Material<'_>) -> Written {
-    let model = material.model();
+pub(super) fn write(header: &[String], material: &Material<'_>) -> Written {
     let column = |Vec2(x, _): Vec2<usize>| {
-        let cos_theta = CosTheta::new((x as f64 + 0.5) / f64::from(WIDTH));
-        let [red, green, blue] = model.reflectance(cos_theta).0.map(|v| v as f32);
+        let [red, green, blue] = material.form.reflectance(texel_centre(x as f64)).0.map(|v| v as f32);
         (red, green, blue)
     };
-    let mut image = Image::from_channels((WIDTH as usize, 1), SpecificChannels::rgb(column));
+    let mut image = Image::from_channels((RAMP_WIDTH as usize, 1), SpecificChannels::rgb(column));
     image.attributes.chromaticities = Some(chromaticities(material.space));
-    image.layer_data.attributes.comments = Text::new_or_none(one_ascii_line(&material.name));
+    let comments: Vec<String> = header.iter().map(|line| one_ascii_line(line)).collect();
+    image.layer_data.attributes.comments = Text::new_or_none(comments.join("\n"));
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes)?;
     Ok(bytes.into_inner())

@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use gltf::binary::{Glb, Header};
 use serde_json::{Value, json};
 
-use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::number::rounded;
@@ -23,12 +22,15 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 /// EXT_materials_specular_edge_color turns from a dielectric's color into an edge tint.
 ///
 /// Neither extension is required: a viewer without the second shows Schlick's curve, one that refuses the
-/// file shows nothing.
-pub(super) fn write(material: &Material<'_>, tint: &Tint) -> Written {
+/// file shows nothing. What is lost is said where glTF has room for it: among the extras of the material.
+pub(super) fn write(losses: &[String], material: &Material<'_>, tint: &Tint) -> Written {
     let mesh = SphereMesh::new(48, 24);
     let mut document = document(material, tint, &mesh);
-    if material.kept != Kept::Whole {
+    if !material.has_edge() {
         without_tint(&mut document);
+    }
+    if let (false, Some(surface)) = (losses.is_empty(), document.pointer_mut("/materials/0")) {
+        surface["extras"] = json!({ "losses": losses });
     }
     let json = serde_json::to_vec(&document)?;
     let glb = Glb {

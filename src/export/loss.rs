@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::number::number;
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
-use crate::fresnel::{FresnelModel, whole_degrees};
+use crate::fresnel::{CosTheta, FresnelModel, whole_degrees};
 use crate::number::larger;
 
 /// Rounding of a 3×3 conversion is no loss worth a word.
@@ -20,6 +20,8 @@ pub enum Parameter {
     R,
     H,
     T,
+    R90,
+    G,
 }
 
 /// One channel of a parameter that was brought into the range its reader takes.
@@ -73,8 +75,17 @@ pub struct Difference {
 impl Difference {
     /// How far `shown` is from `wanted`, both in `space`.
     pub fn between(wanted: &FresnelModel, shown: &FresnelModel, space: RgbSpace) -> Self {
+        Self::of_curves(|c| wanted.reflectance(c), |c| shown.reflectance(c), space)
+    }
+
+    /// How far a curve is from the one that is wanted, both in `space`.
+    pub(super) fn of_curves(
+        wanted: impl Fn(CosTheta) -> Rgb,
+        shown: impl Fn(CosTheta) -> Rgb,
+        space: RgbSpace,
+    ) -> Self {
         whole_degrees().fold(Self::default(), |worst, cos_theta| {
-            let (wanted, shown) = (wanted.reflectance(cos_theta), shown.reflectance(cos_theta));
+            let (wanted, shown) = (wanted(cos_theta), shown(cos_theta));
             Self {
                 delta_f: worst.delta_f.zip(wanted.zip(shown, |wanted, shown| (wanted - shown).abs()), larger),
                 max_delta_f: larger(worst.max_delta_f, wanted.max_abs_difference(shown)),
@@ -136,6 +147,8 @@ impl fmt::Display for Clip {
             Parameter::R => "r",
             Parameter::H => "h",
             Parameter::T => "t",
+            Parameter::R90 => "r90",
+            Parameter::G => "g",
         };
         let channel = ["red", "green", "blue"][self.channel];
         write!(f, "{parameter} {channel} {:.4} → {}", self.before, number(self.after))

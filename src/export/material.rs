@@ -1,10 +1,12 @@
 //! A preset as a writer sees it: in the target's space, with names its format takes.
 
+use super::form::{form_in_space, is_finite, with_h};
 use super::names::{identifier, one_line};
-use super::{ExportError, Kept, Options, Target};
+use super::{ExportError, Options, Target};
 use crate::color::{Rgb, RgbSpace};
-use crate::fresnel::{FresnelModel, h_of_schlick};
+use crate::fresnel::{CosTheta, FresnelModel};
 use crate::preset::Preset;
+use crate::study::Form;
 
 /// What every writer starts from. r and h have been converted; nothing has been clipped or derived.
 #[derive(Debug)]
@@ -23,8 +25,8 @@ pub(super) struct Material<'a> {
     pub h: Rgb,
     /// Perceptual roughness.
     pub roughness: f64,
-    /// What the file says of the curve.
-    pub kept: Kept,
+    /// What the file is to say, in `space`; r and h in place of r and t.
+    pub form: Form,
 }
 
 impl<'a> Material<'a> {
@@ -37,46 +39,56 @@ impl<'a> Material<'a> {
         if !(0.0..=1.0).contains(&preset.roughness) {
             return Err(ExportError::Roughness { preset: one_line(&preset.name), roughness: preset.roughness });
         }
+        let (r, h) = (preset.space.convert(preset.r, space), preset.space.convert(preset.h, space));
         Ok(Self {
             name: one_line(&preset.name),
             identifier: identifier(&preset.name),
             space,
-            r: preset.space.convert(preset.r, space),
-            h: preset.space.convert(preset.h, space),
+            r,
+            h,
             roughness: preset.roughness,
-            kept: Kept::Whole,
+            form: Form::Model { model: FresnelModel::Hoffman { r, h } },
             preset,
         })
     }
 
-    /// The same with less of its curve.
-    pub(super) fn keeping(self, kept: Kept) -> Self {
-        let h = if kept == Kept::Whole { self.h } else { self.r.map(h_of_schlick) };
-        Self { h, kept, ..self }
-    }
-
-    /// The whole preset, in the space of the file.
-    pub(super) fn in_its_space(&self) -> Preset {
-        self.preset.in_space(self.space)
-    }
-
-    /// The curve the file is to say, in its space.
-    pub(super) fn model(&self) -> FresnelModel {
-        self.model_of(self.r, self.h)
-    }
-
-    /// The same in a space the file also speaks for.
-    pub(super) fn model_in(&self, space: RgbSpace) -> FresnelModel {
-        let preset = self.preset.in_space(space);
-        self.model_of(preset.r, preset.h)
-    }
-
-    fn model_of(&self, r: Rgb, h: Rgb) -> FresnelModel {
-        match self.kept {
-            Kept::Whole => FresnelModel::Hoffman { r, h },
-            Kept::Schlick => FresnelModel::Schlick { r },
-            Kept::Constant => FresnelModel::Constant { r },
+    /// The same with other parameters, which are in the space of the file.
+    pub(super) fn saying(self, form: &Form) -> Result<Self, ExportError> {
+        if !is_finite(form) {
+            return Err(ExportError::NotFinite(self.name));
         }
+        let form = with_h(form.clone());
+        let (r, h) = match form {
+            Form::Model { model: FresnelModel::Hoffman { r, h } } => (r, h),
+            _ => (form.reflectance(CosTheta::FACING), form.reflectance(CosTheta::MAX)),
+        };
+        Ok(Self { r, h, form, ..self })
+    }
+
+    /// False where r alone says everything.
+    pub(super) const fn has_edge(&self) -> bool {
+        !matches!(self.form, Form::Model { model: FresnelModel::Constant { .. } | FresnelModel::Schlick { .. } })
+    }
+
+    /// The preset with the r and h of the file, in its space.
+    pub(super) fn in_its_space(&self) -> Preset {
+        let whole = self.preset.in_space(self.space);
+        if whole.r == self.r && whole.h == self.h {
+            return whole;
+        }
+        let mut changed = Preset { r: self.r, h: self.h, ..whole };
+        changed.mark_edited();
+        changed
+    }
+
+    /// r and h in a space the file also speaks for.
+    pub(super) fn r_h_in(&self, space: RgbSpace) -> (Rgb, Rgb) {
+        (self.space.convert(self.r, space), self.space.convert(self.h, space))
+    }
+
+    /// What is to be said in a space the file also speaks for.
+    pub(super) fn form_in(&self, space: RgbSpace) -> Form {
+        form_in_space(&self.form, self.space, space).expect("files of many spaces say r and h, which are colours")
     }
 
     /// Microfacet α of the usual parameterisation, the square of roughness.

@@ -6,7 +6,6 @@
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
-use super::Kept;
 use super::edge_tint::EdgeTint;
 use super::export::Written;
 use super::material::Material;
@@ -37,15 +36,26 @@ pub(super) fn open_pbr(header: &[String], material: &Material<'_>, tint: &Tint) 
     })
 }
 
+/// The edge at 90° of `generalized_schlick_bsdf`, and the power that leads to it.
+pub(super) struct Edge {
+    pub r90: Rgb,
+    pub exponent: f64,
+}
+
+impl Edge {
+    /// Schlick's.
+    pub(super) const SCHLICK: Self = Self { r90: Rgb::WHITE, exponent: 5.0 };
+}
+
 /// `generalized_schlick_bsdf` (MaterialX 1.39): color0 = r, color82 = t, and α in both directions.
-pub(super) fn generalized_schlick(header: &[String], material: &Material<'_>, tint: &Tint) -> Written {
+pub(super) fn generalized_schlick(header: &[String], material: &Material<'_>, tint: &Tint, edge: &Edge) -> Written {
     let alpha = number(material.alpha());
     let inputs = [
         Input::float("weight", 1.0),
         Input::color("color0", tint.r),
         Input::color("color82", tint.t),
-        Input::color("color90", Rgb::WHITE),
-        Input::float("exponent", 5.0),
+        Input::color("color90", edge.r90),
+        Input::float("exponent", edge.exponent),
         Input::value("roughness", "vector2", format!("{alpha}, {alpha}")),
         Input::value("scatter_mode", "string", "R".to_owned()),
     ];
@@ -72,7 +82,7 @@ pub(super) fn standard_surface(header: &[String], material: &Material<'_>, fit: 
 
 /// All inputs, but for the tint where only r is said: white is what the node has without it.
 fn without_tint<const N: usize>(inputs: [Input; N], tint: &str, material: &Material<'_>) -> Vec<Input> {
-    inputs.into_iter().filter(|input| material.kept == Kept::Whole || input.name != tint).collect()
+    inputs.into_iter().filter(|input| material.has_edge() || input.name != tint).collect()
 }
 
 /// Names of the nodes of one material.

@@ -3,18 +3,17 @@
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
-use super::edge_tint::EdgeTint;
 use super::export::Written;
 use super::material::Material;
 use super::materialx::comment;
 use super::number::{number, triple};
+use crate::color::Rgb;
 
 /// Below this α Mitsuba's microfacet distribution is a mirror by another name.
 const SMALLEST_ALPHA: f64 = 1e-4;
 
-/// `roughconductor`, or `conductor` for a mirror, with eta = n and k of the fit, to be included in a scene.
-pub(super) fn write(header: &[String], material: &Material<'_>, fit: &EdgeTint) -> Written {
-    let (n, k) = fit.index();
+/// `roughconductor`, or `conductor` for a mirror, with eta = n and k, to be included in a scene.
+pub(super) fn write(header: &[String], material: &Material<'_>, (n, k): (Rgb, Rgb)) -> Written {
     let is_rough = material.alpha() >= SMALLEST_ALPHA;
     let plugin = if is_rough { "roughconductor" } else { "conductor" };
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);

@@ -1,49 +1,51 @@
 //! The curve as a function in four shading languages, for programs that have no file for this model.
 //!
-//! No `pow`, which is NaN for a cosine slightly above 1; the cosine is clamped; every literal has a point.
+//! No `pow` where a product will do: it is NaN for a cosine slightly above 1. The cosine is clamped; every literal has a
+//! point.
 
-use super::Kept;
+use super::Target;
 use super::export::Written;
+use super::language::Language;
 use super::material::Material;
 use super::names::one_ascii_line;
 use super::number::{number, triple};
-use crate::fresnel::{PEAK_GAIN, SCHLICK_GAIN};
+use crate::fresnel::{FresnelModel, PEAK_GAIN, SCHLICK_GAIN};
+use crate::study::Form;
 
-/// GLSL for `#version 330`, `300 es` and Vulkan `450`; the including shader has the version line.
-pub(super) fn glsl(header: &[String], material: &Material<'_>) -> Written {
-    fill(&Templates::GLSL, header, material)
+/// The function in the language of a target: GLSL for `#version 330`, `300 es` and Vulkan `450` (the including shader
+/// has the version line), HLSL for shader model 2 and later, WGSL, or OSL with a shader around it that states the
+/// reflectance at the shading point.
+///
+/// WGSL has no preprocessor, so a module with two metals must drop the second general function.
+pub(super) fn source(header: &[String], material: &Material<'_>, target: Target) -> Written {
+    let comments: String = header.iter().map(|line| format!("// {}\n", one_ascii_line(line))).collect();
+    let (templates, language) = Templates::of(target);
+    let text = match &material.form {
+        Form::Model { model: FresnelModel::Hoffman { .. } } => fill(templates.whole, material),
+        Form::Model { model: FresnelModel::Schlick { .. } } => {
+            fill(&[templates.schlick, templates.rest].concat(), material)
+        }
+        Form::Model { model: FresnelModel::Constant { .. } } => {
+            fill(&[templates.constant, templates.rest].concat(), material)
+        }
+        form => language.function(&material.identifier, form),
+    };
+    Ok(format!("{comments}{text}").into_bytes())
 }
 
-/// HLSL for shader model 2 and later.
-pub(super) fn hlsl(header: &[String], material: &Material<'_>) -> Written {
-    fill(&Templates::HLSL, header, material)
-}
-
-/// WGSL. It has no preprocessor, so a module with two metals must drop the second general function.
-pub(super) fn wgsl(header: &[String], material: &Material<'_>) -> Written {
-    fill(&Templates::WGSL, header, material)
-}
-
-/// OSL: the functions, and a shader around them that states the reflectance at the shading point.
-pub(super) fn osl(header: &[String], material: &Material<'_>) -> Written {
-    fill(&Templates::OSL, header, material)
+/// A curve of any form as a function `fresnel_<name>` of the cosine.
+pub(super) fn function(target: Target, name: &str, form: &Form) -> String {
+    Templates::of(target).1.function(name, form)
 }
 
 /// Puts a material into a template. `$NAME`s are replaced one by one; no value contains another's name.
-fn fill(templates: &Templates, header: &[String], material: &Material<'_>) -> Written {
-    let template = match material.kept {
-        Kept::Whole => templates.whole.to_owned(),
-        Kept::Schlick => templates.schlick.to_owned() + templates.rest,
-        Kept::Constant => templates.constant.to_owned() + templates.rest,
-    };
-    let comments: String = header.iter().map(|line| format!("// {}\n", one_ascii_line(line))).collect();
-    let text = template
+fn fill(template: &str, material: &Material<'_>) -> String {
+    template
         .replace("$PEAK_GAIN", &number(PEAK_GAIN))
         .replace("$SCHLICK_GAIN", &number(SCHLICK_GAIN))
         .replace("$NAME", &material.identifier)
         .replace("$R", &triple(material.r, ", "))
-        .replace("$H", &triple(material.h, ", "));
-    Ok(format!("{comments}{text}").into_bytes())
+        .replace("$H", &triple(material.h, ", "))
 }
 
 /// A shader around a function of OSL, which states the reflectance at the shading point.
@@ -63,6 +65,16 @@ struct Templates {
 }
 
 impl Templates {
+    /// For r and h and less, and the language for everything else.
+    const fn of(target: Target) -> (&'static Self, &'static Language) {
+        match target {
+            Target::Hlsl => (&Self::HLSL, &Language::HLSL),
+            Target::Wgsl => (&Self::WGSL, &Language::WGSL),
+            Target::Osl => (&Self::OSL, &Language::OSL),
+            _ => (&Self::GLSL, &Language::GLSL),
+        }
+    }
+
     const GLSL: Self = Self {
         whole: GLSL,
         schlick: "\

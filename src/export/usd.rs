@@ -1,6 +1,5 @@
 //! USD: one material with two surfaces, the exact one and the one every viewer knows.
 
-use super::Kept;
 use super::export::Written;
 use super::material::Material;
 use super::number::{number, triple};
@@ -17,9 +16,8 @@ pub(super) fn write(header: &[String], material: &Material<'_>, tint: &Tint) -> 
     let space = interop_id(material.space);
     let (r, t, roughness) = (triple(tint.r, ", "), triple(tint.t, ", "), number(material.roughness));
     // Without them both surfaces have a white tint, which is Schlick's edge.
-    let tint = |input: &str| match material.kept {
-        Kept::Whole => format!("        color3f inputs:{input} = ({t})\n"),
-        _ => String::new(),
+    let tint = |input: &str| {
+        if material.has_edge() { format!("        color3f inputs:{input} = ({t})\n") } else { String::new() }
     };
     let (open_pbr_tint, preview_tint) = (tint("specular_color"), tint("specularColor"));
     Ok(format!(

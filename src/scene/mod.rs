@@ -15,6 +15,7 @@
 //! | `scene_json` | these as JSON |
 //! | `plan_file` | the plan as versioned JSON, with what it was made from |
 //! | `plan_export` | its materials as files of other programs, without what the scene does not need |
+//! | `plan_weighing` | how far what such a file says is from the truth, at the angles that are seen |
 
 mod angles;
 mod curves;
@@ -24,6 +25,7 @@ mod material;
 mod plan;
 mod plan_export;
 mod plan_file;
+mod plan_weighing;
 mod saved_scene;
 mod scene_json;
 mod shape;

@@ -204,7 +204,7 @@ fn a_plan_drives_an_export_without_h() {
     let gold = fs::read_to_string(Path::new(out).join("gold.glsl")).unwrap();
     assert!(!gold.contains("vec3 h"), "{gold}");
     let chromium = fs::read_to_string(Path::new(out).join("chromium.glsl")).unwrap();
-    assert!(chromium.contains("vec3 h"), "{chromium}");
+    assert!(chromium.contains("p = p * t"), "chromium is a series: {chromium}");
     let shards = folder.path().join("shards");
     for (shard, files) in [("2/2", vec!["chromium.glsl"]), ("1/2", vec!["chromium.glsl", "gold.glsl"])] {
         json(&["export", "--plan", plan, "--to", "glsl", "--shard", shard, "-o", shards.to_str().unwrap(), "--json"]);
@@ -215,6 +215,30 @@ fn a_plan_drives_an_export_without_h() {
     }
     assert_eq!(fs::read_to_string(shards.join("gold.glsl")).unwrap(), gold);
     assert!(refusal(1, &["export", "--plan", "no.json", "--to", "glsl"]).contains("no.json"));
+}
+
+/// What a plan found within its tolerance is what its files say, and what they cannot say is refused where it must not be.
+#[test]
+fn an_export_keeps_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (fitted, clipped, out) = (path("fitted.json"), path("clipped.json"), path("out"));
+    let plan = json(&["plan", "gold@sphere", "--tolerance", "0.75", "-o", &fitted, "--json"]);
+    assert_eq!(chosen(&plan), ["hoffman:least-squares"]);
+    let written = json(&["export", "--plan", &fitted, "--to", "glsl", "--strict", "-o", &out, "--json"]);
+    assert_eq!(written[0]["variants"][0], "hoffman:least-squares");
+    let green = plan["materials"][0]["parameters"]["model"]["h"][1].as_f64().unwrap();
+    let green = format!("{green:.9}").trim_end_matches('0').to_owned();
+    let source = fs::read_to_string(Path::new(&out).join("gold.glsl")).unwrap();
+    assert!(source.contains(&green), "{green} {source}");
+
+    quiet(&["plan", "gold@card:0-60", "--tolerance", "1", "-o", &clipped]);
+    let open_pbr = ["export", "--plan", &clipped, "--to", "open-pbr", "-o", &out];
+    assert!(refusal(1, &[&open_pbr[..], &["--strict"]].concat()).contains("with --strict nothing was written"));
+    let told = stderr(&edgewise(&open_pbr));
+    assert!(told.contains("the largest ΔE is 1.26") && told.contains("above 1"), "{told}");
+    let document = fs::read_to_string(Path::new(&out).join("gold.open_pbr.mtlx")).unwrap();
+    assert!(document.contains("above 1 ") && !document.contains("t red"), "{document}");
 }
 
 #[test]

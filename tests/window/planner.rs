@@ -292,16 +292,30 @@ fn the_materials_are_exported_without_what_is_not_needed() {
     let question = "Export the materials of the plan into a folder";
     file(&mut window, "Export…", question, folder.path());
     assert!(window.shows("Wrote 4 files into"), "{:?}", window.notices());
-    assert!(window.shows("Zinc: the plan wants table-32"), "what the target cannot say is said");
+    assert!(!window.shows("the plan wants"), "a shader can say all that was chosen");
     let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     names.sort();
     assert_eq!(names, ["chromium.glsl", "copper.glsl", "gold.glsl", "zinc.glsl"]);
     let text = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
     assert!(text("gold.glsl").len() < text("chromium.glsl").len(), "gold needs no h");
+    assert!(text("zinc.glsl").contains("vec3 rows_zinc[32]"), "zinc is a table");
     // Another plan would replace them.
     window.enter("Tolerance, number", "0.1");
     file(&mut window, "Export…", question, folder.path());
     assert!(window.shows("it is there already"));
+}
+
+/// OpenPBR takes no r above 1, which gold has in linear sRGB.
+#[test]
+fn what_a_target_cannot_say_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = open();
+    window.click("Whose files the materials are exported to");
+    window.click("MaterialX OpenPBR surface");
+    file(&mut window, "Export…", "Export the materials of the plan into a folder", folder.path());
+    assert!(window.shows("Gold: the plan wants schlick:exact"), "{:?}", window.notices());
+    let text = fs::read_to_string(folder.path().join("gold.open_pbr.mtlx")).unwrap();
+    assert!(text.contains("the plan wants schlick:exact"), "{text}");
 }
 
 #[test]

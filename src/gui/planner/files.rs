@@ -158,7 +158,9 @@ const MOST_LOSSES: usize = 3;
 
 /// Everything is made before anything is written, and no file is replaced that says something else.
 fn export(folder: &Path, planned: &Planned, target: Target) -> Told<Done> {
-    let made = planned.plan.export(&[target], &Options::default(), |_| true).map_err(|error| error.to_string())?;
+    let scene = planned.scene();
+    let made = planned.plan.export(scene.as_deref(), &[target], &Options::default(), |_| true);
+    let made = made.map_err(|error| error.to_string())?;
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for file in &made.files {
         place_file(&folder.join(&file.name), &file.bytes, false).map_err(|error| error.to_string())?;

@@ -77,6 +77,13 @@ pub(crate) struct Planned {
     pub seen: Option<Arc<SeenScene>>,
 }
 
+fn scene_of(curves: &ListCurves, seen: &SeenScene) -> Vec<SceneMaterial> {
+    let pairs = curves.sources.iter().zip(&seen.angles);
+    let material =
+        |(source, angles): (&Source, &Angles)| SceneMaterial { source: source.clone(), angles: angles.clone() };
+    pairs.map(material).collect()
+}
+
 /// A material over 0–90°.
 pub(crate) struct Look {
     /// Its truth; `None` where it is a metal that this window does not have.
@@ -88,10 +95,7 @@ pub(crate) struct Look {
 impl Planned {
     pub(super) fn of(asked: &PlanAsked) -> Told<Arc<Self>> {
         let PlanAsked { curves: Same(curves), seen: Same(seen), tolerance, target, costs } = asked;
-        let pairs = curves.sources.iter().zip(&seen.angles);
-        let material =
-            |(source, angles): (&Source, &Angles)| SceneMaterial { source: source.clone(), angles: angles.clone() };
-        let materials: Vec<SceneMaterial> = pairs.map(material).collect();
+        let materials = scene_of(curves, seen);
         let space = curves.curves.space();
         let options = PlanOptions { space, tolerance: *tolerance, target: *target, costs: costs.clone() };
         let plan = plan_with_curves(&materials, &curves.curves, &seen.scene, &options);
@@ -105,6 +109,11 @@ impl Planned {
             curves: curves.clone(),
             seen: Some(seen.clone()),
         }))
+    }
+
+    /// What was planned for; of a plan of a file nobody knows it.
+    pub(super) fn scene(&self) -> Option<Vec<SceneMaterial>> {
+        self.seen.as_deref().map(|seen| scene_of(&self.curves, seen))
     }
 
     /// A plan of a file: what it says stays as it was saved; the curves are those of its materials today.
