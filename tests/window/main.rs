@@ -14,6 +14,7 @@ mod photograph;
 mod pictures;
 mod planner;
 mod recovery;
+mod refining;
 mod replacing;
 mod settings;
 #[path = "../studio/mod.rs"]
