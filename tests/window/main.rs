@@ -17,5 +17,6 @@ mod recovery;
 mod refining;
 mod replacing;
 mod settings;
+mod small;
 #[path = "../studio/mod.rs"]
 mod studio;
