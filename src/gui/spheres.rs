@@ -81,6 +81,9 @@ pub(crate) struct Shown {
     took_ms: f64,
 }
 
+/// Measures how far some qualities of what is wanted are from the finished picture.
+type Costing = Job<(Wanted, Vec<Quality>), Vec<(Quality, Off)>>;
+
 /// How far some qualities are from the finished picture of what was wanted.
 struct Costs {
     wanted: Wanted,
@@ -106,7 +109,7 @@ pub(crate) struct Spheres {
     full: Took,
     measuring: Option<Job<Wanted, Vec<Rung>>>,
     measured: Option<(Wanted, Vec<Rung>)>,
-    costing: Option<Job<(Wanted, Vec<Quality>), Vec<(Quality, Off)>>>,
+    costing: Option<Costing>,
     costs: Option<Costs>,
     /// What was shown last while something moved.
     last_coarse: Option<Quality>,
