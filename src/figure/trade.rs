@@ -16,7 +16,9 @@ pub fn trade_figure(material: &str, rows: &[TradeRow], options: &TradeOptions) -
     };
     let exact = rows.iter().find(|row| row.variant == Variant::Exact);
     let exact = exact.and_then(|row| options.costs.of(row.variant).on(options.cost));
-    let dearest = exact.map(|cost| format!("; the exact spectral sum, ΔE 0, costs {cost:.0}")).unwrap_or_default();
+    let unit = options.cost.unit();
+    let dearest = exact.map(|cost| format!("; the exact spectral sum, ΔE 0, costs {cost:.0} {unit}"));
+    let dearest = dearest.unwrap_or_default();
     ScatterFigure {
         title: format!("{material}: accuracy for cost"),
         subtitle: format!("{}, {} over 0–90°{dearest}", options.space.label(), options.measure.label()),
@@ -91,6 +93,7 @@ mod tests {
                 let options = TradeOptions { cost, measure, ..TradeOptions::default() };
                 let figure = trade_figure("Gold", &trade(&gold, &options, &no_progress).unwrap(), &options);
                 assert_eq!(figure.points.len(), Variant::ALL.len() - 1);
+                assert!(figure.subtitle.ends_with(&format!(" {}", cost.unit())), "{}", figure.subtitle);
                 assert_texts_are_legible(&figure.drawing(FigureTheme::Light));
             }
         }

@@ -41,6 +41,17 @@ pub(crate) struct Difference {
     pub full_scale: f64,
 }
 
+impl Difference {
+    /// In words; of coarse pictures with the few digits that hold, and marked.
+    pub(crate) fn words(&self, is_finished: bool) -> String {
+        if is_finished {
+            format!("mean ΔE {:.2}, at most {:.2}", self.mean, self.max)
+        } else {
+            format!("mean ΔE ≈ {:.1}, at most ≈ {:.1} (coarse)", self.mean, self.max)
+        }
+    }
+}
+
 impl Drawn {
     /// Draws a preview; the truth as it is given. Without one the codes are drawn at once, into the memory of `spare`; a
     /// difference needs the linear pictures of both.
@@ -75,6 +86,15 @@ impl Drawn {
     /// The memory of the preset's sphere, to draw into.
     pub(super) fn into_spare(self) -> Srgb8Picture {
         self.preset
+    }
+}
+
+/// The sphere that all of a quality shows on, alone: that of the truth where there is one.
+pub(super) fn sphere_alone(wanted: &Wanted, quality: Quality, truth: Option<&RadialTable>) -> Srgb8Picture {
+    let view = view_of(&Wanted { size: quality.size(wanted.size), ..wanted.clone() });
+    match truth {
+        Some(truth) => view.render(truth).to_srgb8(),
+        None => view.render(&RadialTable::of_model(&wanted.model, wanted.space)).to_srgb8(),
     }
 }
 

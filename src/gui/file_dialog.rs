@@ -35,6 +35,17 @@ pub(crate) enum Purpose {
     SaveSheet(SheetKind),
 }
 
+impl Purpose {
+    /// True where one file is written, in whose place another may stand.
+    pub(crate) const fn writes_a_file(self) -> bool {
+        match self {
+            Self::Save | Self::SavePiece(_) | Self::Export(_) | Self::SaveSheet(_) => true,
+            Self::Plan(file) => file.file_name().is_some(),
+            Self::Open | Self::Library | Self::Import => false,
+        }
+    }
+}
+
 /// What came of a dialog.
 pub(crate) enum Outcome {
     /// A file was chosen.

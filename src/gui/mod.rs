@@ -28,6 +28,7 @@ mod run;
 mod settings;
 mod sheet;
 mod spheres;
+mod standing;
 mod state;
 mod theme;
 mod thumbnails;

@@ -2,15 +2,16 @@
 
 use std::hint::black_box;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Instant;
 
 use image::RgbaImage;
 use image::imageops::{self, FilterType};
 
-use super::drawn::{Drawn, truth_table};
+use super::drawn::{Drawn, sphere_alone, truth_table};
 use super::spheres::Wanted;
 use crate::color::{RgbSpace, linear_from_srgb8};
-use crate::render::{DeltaEMap, Picture, Srgb8Picture};
+use crate::render::{DeltaEMap, Picture, RadialTable, Srgb8Picture};
 
 /// How good a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,18 +36,29 @@ impl Quality {
         Self { coarseness: 4, wavelengths: Some(8) },
     ];
 
+    /// What is drawn where the truth is known at every nanometre: no fewer wavelengths are quicker.
+    pub(crate) const fn with_known_truth(self) -> Self {
+        Self { wavelengths: None, ..self }
+    }
+
     /// In words: `every 2nd pixel, 16 wavelengths for a metal`.
     pub(crate) fn words(self) -> String {
-        let pixels = match self.coarseness {
+        format!("{}, {} for a metal", self.pixels(), self.spectrum())
+    }
+
+    /// `every 2nd pixel`.
+    pub(crate) fn pixels(self) -> String {
+        match self.coarseness {
             1 => "every pixel".to_owned(),
             2 => "every 2nd pixel".to_owned(),
             3 => "every 3rd pixel".to_owned(),
             n => format!("every {n}th pixel"),
-        };
-        match self.wavelengths {
-            Some(count) => format!("{pixels}, {count} wavelengths for a metal"),
-            None => format!("{pixels}, every nanometre for a metal"),
         }
+    }
+
+    /// `16 wavelengths`.
+    pub(crate) fn spectrum(self) -> String {
+        self.wavelengths.map_or_else(|| "every nanometre".to_owned(), |count| format!("{count} wavelengths"))
     }
 
     /// Side of the picture.
@@ -64,6 +76,15 @@ pub(crate) struct Took {
     pub picture_ms: f64,
 }
 
+/// How far a picture is from the finished one: CIEDE2000 over what both cover wholly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Off {
+    /// On average.
+    pub mean: f64,
+    /// The largest.
+    pub max: f64,
+}
+
 /// A quality with what it takes and costs, measured on this machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rung {
@@ -71,10 +92,8 @@ pub(crate) struct Rung {
     pub quality: Quality,
     /// The least of a few pictures.
     pub took: Took,
-    /// Mean CIEDE2000 to the finished picture, over what both cover wholly.
-    pub mean_delta_e: f64,
-    /// The largest.
-    pub max_delta_e: f64,
+    /// How far it is from the finished picture.
+    pub off: Off,
 }
 
 /// The best quality within a budget, and else the quickest. `full` is what the finished picture took; what was measured
@@ -120,10 +139,33 @@ pub(crate) fn measure(wanted: &Wanted, progress: &mut dyn FnMut(f32) -> ControlF
             took.truth_ms = took.truth_ms.min(truth_ms);
             took.picture_ms = took.picture_ms.min(milliseconds(start) - truth_ms);
         }
-        let (mean_delta_e, max_delta_e) = difference(drawn.sphere(), full.sphere());
-        rungs.push(Rung { quality, took, mean_delta_e, max_delta_e });
+        rungs.push(Rung { quality, took, off: off(drawn.sphere(), full.sphere()) });
     }
     rungs
+}
+
+/// How far pictures of some qualities are from the finished one; of fewer where `progress` breaks. `known` is the truth
+/// at every nanometre, where it is known.
+pub(crate) fn offs(
+    wanted: &Wanted,
+    qualities: &[Quality],
+    known: Option<Arc<RadialTable>>,
+    progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+) -> Vec<(Quality, Off)> {
+    let full_truth = known.or_else(|| truth_table(wanted, Quality::FULL));
+    let full = sphere_alone(wanted, Quality::FULL, full_truth.as_deref());
+    let mut offs = Vec::new();
+    for (index, &quality) in qualities.iter().enumerate() {
+        if progress(index as f32 / qualities.len() as f32).is_break() {
+            break;
+        }
+        let truth = match quality.wavelengths {
+            None => full_truth.clone(),
+            Some(_) => truth_table(wanted, quality),
+        };
+        offs.push((quality, off(&sphere_alone(wanted, quality, truth.as_deref()), &full)));
+    }
+    offs
 }
 
 /// Milliseconds since then.
@@ -131,10 +173,10 @@ pub(crate) fn milliseconds(start: Instant) -> f64 {
     1000.0 * start.elapsed().as_secs_f64()
 }
 
-/// Mean and largest CIEDE2000 of a coarse picture, drawn as large as the fine one as the screen does, to the fine one.
-fn difference(coarse: &Srgb8Picture, fine: &Srgb8Picture) -> (f64, f64) {
+/// How far a coarse picture, drawn as large as the fine one as the screen does, is from the fine one.
+fn off(coarse: &Srgb8Picture, fine: &Srgb8Picture) -> Off {
     let image = |picture: &Srgb8Picture| RgbaImage::from_raw(picture.width, picture.height, picture.rgba.clone());
-    let (Some(coarse), Some(fine)) = (image(coarse), image(fine)) else { return (f64::NAN, f64::NAN) };
+    let (Some(coarse), Some(fine)) = (image(coarse), image(fine)) else { return Off { mean: f64::NAN, max: f64::NAN } };
     let coarse = imageops::resize(&coarse, fine.width(), fine.height(), FilterType::Triangle);
     let is_whole: Vec<bool> = coarse.pixels().zip(fine.pixels()).map(|(a, b)| a[3] == 255 && b[3] == 255).collect();
     let linear = |picture: &RgbaImage| Picture {
@@ -148,7 +190,7 @@ fn difference(coarse: &Srgb8Picture, fine: &Srgb8Picture) -> (f64, f64) {
         coverage: is_whole.iter().map(|is_whole| f32::from(u8::from(*is_whole))).collect(),
     };
     let map = DeltaEMap::between(&linear(&coarse), &linear(&fine));
-    (map.mean(), map.max())
+    Off { mean: map.mean(), max: map.max() }
 }
 
 #[cfg(test)]
@@ -175,9 +217,15 @@ mod tests {
     fn the_finished_picture_has_no_error_and_the_quickest_has_the_most() {
         let rungs = measure(&wanted(), &mut |_| ControlFlow::Continue(()));
         assert_eq!(rungs.iter().map(|rung| rung.quality).collect::<Vec<_>>(), Quality::LADDER);
-        assert_eq!((rungs[0].mean_delta_e, rungs[0].max_delta_e), (0.0, 0.0));
-        assert!(rungs[5].mean_delta_e > rungs[1].mean_delta_e && rungs[5].max_delta_e > 1.0, "{rungs:?}");
-        assert!(rungs[2..].iter().all(|rung| rung.mean_delta_e > 0.0), "{rungs:?}");
+        assert_eq!(rungs[0].off, Off { mean: 0.0, max: 0.0 });
+        assert!(rungs[5].off.mean > rungs[1].off.mean && rungs[5].off.max > 1.0, "{rungs:?}");
+        assert!(rungs[2..].iter().all(|rung| rung.off.mean > 0.0), "{rungs:?}");
+        // The same by themselves, and with the truth known only what the pixels cost.
+        let qualities = [Quality::LADDER[5], Quality::LADDER[5].with_known_truth(), Quality::FULL];
+        let offs = offs(&wanted(), &qualities, None, &mut |_| ControlFlow::Continue(()));
+        assert_eq!(offs[0], (qualities[0], rungs[5].off));
+        assert!(offs[1].1.mean > 0.0 && offs[1].1 != offs[0].1, "{offs:?}");
+        assert_eq!(offs[2].1, Off { mean: 0.0, max: 0.0 });
     }
 
     #[test]
@@ -197,8 +245,7 @@ mod tests {
         let slow = Rung {
             quality: Quality::FULL,
             took: Took { truth_ms: 0.0, picture_ms: 90.0 },
-            mean_delta_e: 0.0,
-            max_delta_e: 0.0,
+            off: Off { mean: 0.0, max: 0.0 },
         };
         assert_ne!(within(28.0, true, full, &[slow]), Quality::FULL);
     }

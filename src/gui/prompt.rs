@@ -1,12 +1,11 @@
 //! Questions that stand before everything else: unsaved changes, a path to type, a name to find.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use eframe::egui::{Button, Id, Key, Label, Modal, Modifiers, ScrollArea, TextEdit, Ui, Vec2};
 
 use super::command::{Action, Command};
 use super::demonstrations::{Choice, Slot};
-use super::export::Writing;
 use super::file_dialog::Purpose;
 use super::planner::{PlanAction, PlanMaterial};
 use super::recovery::LeftBehind;
@@ -34,8 +33,13 @@ pub(crate) enum Prompt {
         /// Why a path is asked for, where that needs saying.
         reason: Option<&'static str>,
     },
-    /// Whether an export may take the place of the file that is there.
-    Replace(Box<Writing>),
+    /// Whether what is to be written may take the place of the file that is there.
+    Replace {
+        /// The file.
+        path: PathBuf,
+        /// What writes it.
+        then: Box<Action>,
+    },
     /// Which of several imported metals to start with.
     Imported {
         /// The metals.
@@ -87,6 +91,8 @@ pub(crate) enum Answer {
     SaveThen(Action),
     /// Do this, whatever is lost.
     Discard(Action),
+    /// Ask this first.
+    Ask(Prompt),
 }
 
 impl Prompt {
@@ -99,8 +105,8 @@ impl Prompt {
         let modal = Modal::new(Id::unique("prompt")).show(ui.ctx(), |ui| match self {
             Self::Unsaved(action) => unsaved(ui, state, action),
             Self::LeftBehind(left) => left_behind(ui, left),
-            Self::Path { purpose, text, reason } => path(ui, *purpose, text, *reason),
-            Self::Replace(writing) => replace(ui, writing),
+            Self::Path { purpose, text, reason } => path(ui, state, *purpose, text, *reason),
+            Self::Replace { path, then } => replace(ui, path, then),
             Self::Imported { presets, text } => imported(ui, presets, text),
             Self::Find { among, text, chosen } => find(ui, state, *among, text, chosen),
         });
@@ -157,7 +163,7 @@ fn left_behind(ui: &mut Ui, left: &LeftBehind) -> Answer {
     .inner
 }
 
-fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) -> Answer {
+fn path(ui: &mut Ui, state: &State, purpose: Purpose, text: &mut String, reason: Option<&str>) -> Answer {
     ui.set_width(theme::DIALOG_WIDTH);
     let (title, verb) = match purpose {
         Purpose::Open => ("Open a preset or a photograph".to_owned(), "Open"),
@@ -184,35 +190,44 @@ fn path(ui: &mut Ui, purpose: Purpose, text: &mut String, reason: Option<&str>) 
         let path = text.trim();
         let is_chosen = ui.add_enabled(!path.is_empty(), Button::new(verb)).clicked();
         if (is_chosen || is_entered) && !path.is_empty() {
-            let path = PathBuf::from(path);
-            return Answer::Do(match purpose {
-                Purpose::Open => Action::Load(path),
-                Purpose::Save => Action::SaveTo(path),
-                Purpose::SavePiece(piece) => Action::SavePieceTo(piece, path),
-                Purpose::Plan(file) => Action::Plan(PlanAction::Take(file, path)),
-                Purpose::Library => Action::OpenLibrary(path),
-                Purpose::Import => Action::Import(path),
-                // An export has a field for the path in its own dialog.
-                Purpose::Export(_) => return Answer::Cancel,
-                Purpose::SaveSheet(kind) => Action::SaveSheetTo(kind, path),
-            });
+            return entered(state, purpose, PathBuf::from(path));
         }
         if ui.button("Cancel").clicked() { Answer::Cancel } else { Answer::None }
     })
     .inner
 }
 
-fn replace(ui: &mut Ui, writing: &Writing) -> Answer {
+/// What a path leads to. The system's dialog asks itself before a file is lost; for a path that was typed nobody has.
+fn entered(state: &State, purpose: Purpose, path: PathBuf) -> Answer {
+    let is_own = purpose == Purpose::Save && state.document.file() == Some(path.as_path());
+    let there = path.clone();
+    let action = match purpose {
+        Purpose::Open => Action::Load(path),
+        Purpose::Save => Action::SaveTo(path),
+        Purpose::SavePiece(piece) => Action::SavePieceTo(piece, path),
+        Purpose::Plan(file) => Action::Plan(PlanAction::Take(file, path)),
+        Purpose::Library => Action::OpenLibrary(path),
+        Purpose::Import => Action::Import(path),
+        // An export has a field for the path in its own dialog.
+        Purpose::Export(_) => return Answer::Cancel,
+        Purpose::SaveSheet(kind) => Action::SaveSheetTo(kind, path),
+    };
+    if purpose.writes_a_file() && !is_own && there.is_file() {
+        return Answer::Ask(Prompt::Replace { path: there, then: Box::new(action) });
+    }
+    Answer::Do(action)
+}
+
+fn replace(ui: &mut Ui, path: &Path, then: &Action) -> Answer {
     ui.set_width(theme::DIALOG_WIDTH);
     ui.heading("Replace the file?");
-    ui.add(Label::new(format!("{} is there already and says something else.", writing.path.display())).wrap());
+    ui.add(Label::new(format!("{} is there already.", path.display())).wrap());
     ui.add_space(theme::GROUP_GAP);
     ui.horizontal(|ui| {
         let replace = ui.button("Replace").on_hover_text("The file that is there is lost");
         let cancel = ui.button("Cancel").on_hover_text("Leave the file as it is");
         if replace.clicked() {
-            let writing = Writing { may_replace: true, ..writing.clone() };
-            Answer::Do(Action::Write(Box::new(writing)))
+            Answer::Do(then.clone())
         } else if cancel.clicked() {
             Answer::Cancel
         } else {

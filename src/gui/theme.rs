@@ -47,6 +47,8 @@ pub(crate) const THUMBNAIL: f32 = 52.0;
 pub(crate) const PREVIEW_MENU: f32 = 300.0;
 /// Side of a sphere preview.
 pub(crate) const SPHERE: f32 = 176.0;
+/// Height of the two lines that say how good the spheres are.
+pub(crate) const STANDING: f32 = 30.0;
 /// Side of the swatch of a colour editor.
 pub(crate) const SWATCH: f32 = 64.0;
 /// Height of each strip of swatches.
@@ -144,6 +146,10 @@ pub(crate) const READ_OUT_WIDTH: f32 = 316.0;
 
 /// Height of a material of a plan.
 pub(crate) const PLAN_ROW: f32 = 50.0;
+/// Its height where what is chosen stands below where it is seen.
+pub(crate) const PLAN_ROW_STACKED: f32 = 92.0;
+/// Below this width it does.
+pub(crate) const PLAN_STACKS_BELOW: f32 = 960.0;
 /// Width of its strip of colours.
 pub(crate) const PLAN_STRIP: f32 = 132.0;
 /// Room for the model that was chosen, its error, and its cost.
@@ -151,11 +157,15 @@ pub(crate) const PLAN_COLUMNS: [f32; 3] = [236.0, 104.0, 112.0];
 /// Room for the table of everything that was looked at.
 pub(crate) const JUDGEMENTS: f32 = 440.0;
 /// Room for an error, operations, bytes and a verdict in it.
-pub(crate) const JUDGEMENT_COLUMNS: [f32; 4] = [62.0, 62.0, 56.0, 52.0];
+pub(crate) const JUDGEMENT_COLUMNS: [f32; 4] = [62.0, 62.0, 56.0, 58.0];
+/// The most of the width that it takes.
+pub(crate) const JUDGEMENTS_SHARE: f32 = 0.58;
 /// Height of its rows.
 pub(crate) const JUDGEMENT_ROW: f32 = 17.0;
 /// Least height of what is said of one material.
 pub(crate) const PLAN_DETAIL: f32 = 268.0;
+/// Least height of its chart and its table.
+pub(crate) const PLAN_CHART: f32 = 216.0;
 
 /// The colours that egui's own visuals have no place for.
 #[derive(Clone, Copy, Debug)]

@@ -184,6 +184,15 @@ impl CostAxis {
         }
     }
 
+    /// What a cost is counted in.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::MeasuredNs => "ns",
+            Self::ShaderOperations => "shader operations",
+            Self::ParameterBytes => "bytes",
+        }
+    }
+
     /// The name people read, with its unit.
     pub const fn label(self) -> &'static str {
         match self {

@@ -30,6 +30,7 @@ mod evidence;
 mod evidence_markdown;
 mod feasibility;
 mod form;
+mod json_text;
 mod measure;
 mod painted;
 mod parameters;
@@ -66,6 +67,7 @@ pub use feasibility::{
     BoundaryRow, MetalPoint, feasibility_boundary, feasibility_summary, metal_points, preset_points,
 };
 pub use form::{Form, FormOfVariant, forms, true_reflectance};
+pub use json_text::rows_to_json;
 pub use measure::Measure;
 pub use painted::{Painted, colour_at, painted_sphere};
 pub use parameters::{Pair, Parameters};

@@ -43,8 +43,8 @@ pub struct TradeRow {
     pub p95_delta_e: f64,
     /// The largest of these.
     pub max_delta_e: f64,
-    /// The material with the largest.
-    pub worst: String,
+    /// The material with the largest; `None` where none has an error.
+    pub worst: Option<String>,
     /// True where no other variant is as cheap, see [`Costs::order`], and nearer to the truth.
     pub is_on_front: bool,
 }
@@ -124,7 +124,7 @@ impl TradeErrors {
             mean_delta_e: values.iter().sum::<f64>() / values.len() as f64,
             p95_delta_e: values[((values.len() as f64 * 0.95).ceil() as usize).clamp(1, values.len()) - 1],
             max_delta_e: largest(values.iter().copied()),
-            worst: worst.0.to_owned(),
+            worst: Some(worst.0.to_owned()).filter(|_| values.iter().any(|value| *value > 0.0)),
             is_on_front: false,
         })
     }
@@ -232,6 +232,8 @@ mod tests {
         let rows = trade(&some, &TradeOptions::default(), &no_progress).unwrap();
         assert!(rows.iter().all(|row| row.materials == 3 && row.mean_delta_e <= row.max_delta_e));
         assert!(rows.iter().all(|row| row.p95_delta_e <= row.max_delta_e));
+        let without_worst: Vec<Variant> = rows.iter().filter(|r| r.worst.is_none()).map(|r| r.variant).collect();
+        assert_eq!(without_worst, [Variant::Exact], "what is the truth is nowhere worst");
         let times = TradeOptions { cost: CostAxis::MeasuredNs, ..TradeOptions::default() };
         let rows = trade(&some[..1], &times, &no_progress).unwrap();
         assert!(rows.iter().all(|row| !row.is_on_front), "nothing was measured");

@@ -13,6 +13,9 @@ use egui_kittest::kittest::Queryable;
 /// not hang the tests.
 const PATIENCE: Duration = Duration::from_secs(600);
 
+/// Size of a new window, in points.
+const USUAL: [f32; 2] = [1280.0, 800.0];
+
 /// A file as a file manager hands it over.
 #[derive(Debug)]
 struct Dropped(PathBuf);
@@ -33,7 +36,12 @@ pub struct Window {
 
 impl Window {
     pub fn open(path: Option<PathBuf>) -> Self {
-        let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(30);
+        Self::of_size(USUAL, path)
+    }
+
+    /// A window so many points wide and high.
+    pub fn of_size(size: [f32; 2], path: Option<PathBuf>) -> Self {
+        let builder = Harness::builder().with_size(size).with_max_steps(30);
         let mut window = Self { harness: builder.build_eframe(move |cc| App::new(&cc.egui_ctx, path)) };
         window.settle();
         window
@@ -41,7 +49,12 @@ impl Window {
 
     /// A window for a picture: the usual size, at fewer pixels so that the pictures in the repository stay small.
     pub fn for_picture(theme: Theme) -> Self {
-        let builder = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(30).with_theme(theme);
+        Self::for_picture_of(USUAL, theme)
+    }
+
+    /// A window for a picture of another size.
+    pub fn for_picture_of(size: [f32; 2], theme: Theme) -> Self {
+        let builder = Harness::builder().with_size(size).with_max_steps(30).with_theme(theme);
         let builder = builder.with_pixels_per_point(0.7);
         let mut window = Self { harness: builder.build_eframe(|cc| App::new(&cc.egui_ctx, None)) };
         window.settle();

@@ -14,6 +14,9 @@ mod photograph;
 mod pictures;
 mod planner;
 mod recovery;
+mod refining;
+mod replacing;
 mod settings;
+mod small;
 #[path = "../studio/mod.rs"]
 mod studio;

@@ -169,3 +169,20 @@ fn a_plan_of_a_file_that_was_changed() {
     window.click("Sphere");
     window.picture("planner_opened");
 }
+
+#[test]
+fn the_page_of_plans_in_a_small_window() {
+    let mut window = Window::for_picture_of([1000.0, 680.0], Theme::Light);
+    window.picture("small");
+    window.press(Modifiers::COMMAND, Key::Num4);
+    window.picture("planner_small");
+    window.click("Trade");
+    window.picture("planner_trade_small");
+}
+
+#[test]
+fn the_page_of_plans_in_a_large_window() {
+    let mut window = Window::for_picture_of([1600.0, 1000.0], Theme::Light);
+    window.press(Modifiers::COMMAND, Key::Num4);
+    window.picture("planner_large");
+}

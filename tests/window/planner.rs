@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use std::sync::Arc;
 
 use edgewise::color::Rgb;
@@ -424,6 +425,14 @@ fn the_chart_is_the_studys_and_is_saved() {
     assert!(roxmltree::Document::parse(&svg).is_ok() && svg.contains("Gold"));
     let mut csv = csv::Reader::from_path(folder.path().join("trade.csv")).unwrap();
     assert_eq!(csv.records().count(), rows.len());
+    let json = folder.path().join("trade.json");
+    file(&mut window, "JSON…", "Save the numbers of the chart", &json);
+    let printed = Command::new(env!("CARGO_BIN_EXE_edgewise")).args(["study", "trade", "gold", "--json"]).output();
+    assert_eq!(fs::read_to_string(&json).unwrap(), String::from_utf8(printed.unwrap().stdout).unwrap());
+    assert!(window.shows("Wrote trade.json") && window.shows("ΔE 0, costs 13643 shader operations"));
+    window.click("Plan");
+    assert!(!window.shows("Wrote trade.json"), "what came of a file of the chart is no news of the plan");
+    window.click("Trade");
     window.click("Metal of the chart: Gold");
     window.type_text("zinc");
     window.press(Modifiers::NONE, Key::Enter);

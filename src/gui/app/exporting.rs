@@ -5,6 +5,7 @@ use eframe::egui::{Context, Ui};
 use super::App;
 use super::files::lost;
 use super::questions::NO_DIALOG;
+use crate::gui::command::Action;
 use crate::gui::export::{Answer as ExportAnswer, Failure, Writing, write};
 use crate::gui::file_dialog::{FileDialog, Outcome, Purpose};
 use crate::gui::job::{Job, Poll};
@@ -26,7 +27,8 @@ impl App {
             }
             Poll::Done(Ok(done)) => Ok(done),
             Poll::Done(Err(Failure::Exists(path))) => {
-                self.prompt = Some(Prompt::Replace(Box::new(Writing { path, ..job.input.clone() })));
+                let writing = Writing { path: path.clone(), may_replace: true, ..job.input.clone() };
+                self.prompt = Some(Prompt::Replace { path, then: Box::new(Action::Write(Box::new(writing))) });
                 return;
             }
             Poll::Done(Err(Failure::Other(error))) => Err(error),

@@ -186,8 +186,12 @@ impl eframe::App for App {
         self.export_dialog(ui);
         self.answer_prompt(ui);
         self.guard_closing(&ctx);
+        let page = self.state.page;
         for action in actions {
             self.perform(&ctx, action);
+        }
+        if self.state.page != page {
+            self.state.planner.said = None;
         }
         self.feed_history(&ctx);
     }

@@ -94,6 +94,7 @@ impl App {
         match answer {
             Answer::None => {}
             Answer::Cancel => self.after_saving = None,
+            Answer::Ask(prompt) => self.prompt = Some(prompt),
             Answer::Do(action) => self.perform(ui.ctx(), action),
             Answer::Discard(action) => self.apply(ui.ctx(), action),
             Answer::SaveThen(action) => {

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui};
+use eframe::egui::{Align, Grid, Label, Layout, RichText, ScrollArea, Ui};
 use egui_plot::LineStyle;
 
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
@@ -43,14 +43,18 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     let strips = if truth.is_some() { 2.0 } else { 1.0 };
     // Room for the rows that are asked for, not for those that have come: nothing jumps when they do.
     let rows = asked.which.len() as f32 * READ_OUT_ROW;
-    let below = strips * (theme::STRIP + theme::GAP) + READ_OUT + rows + spheres::HEIGHT + theme::GROUP_GAP;
+    let below = strips * (theme::STRIP + theme::GAP)
+        + READ_OUT
+        + rows
+        + spheres::height(ui.available_width())
+        + theme::GROUP_GAP;
     let plot = CurvePlot {
         lines: &lines,
         band: band.as_ref().map(|(low, high)| (low.as_slice(), high.as_slice())),
         handles: &handles,
         range_deg: range_deg.clone(),
         cursor_deg: state.view.cursor_deg,
-        height: (ui.available_height() - below).max(160.0),
+        height: (ui.available_height() - below).max(LEAST_PLOT),
     };
     let output = plot.show(ui);
     let mut cursor_deg = output.cursor_deg;
@@ -58,7 +62,14 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         cursor_deg = cursor_deg.or(strip(ui, output.frame, "truth", curve, space, &range_deg));
     }
     cursor_deg = cursor_deg.or(strip(ui, output.frame, "r, h", &curve, space, &range_deg));
-    read_out(ui, cursor_deg, &ReadOut { preset: &curve, truth: truth.as_deref(), compared: &compared, space });
+    let numbers = ReadOut { preset: &curve, truth: truth.as_deref(), compared: &compared, space };
+    if ui.available_width() < LEAST_READ_OUT {
+        // Else the spheres below would be as wide.
+        let scrolled = ScrollArea::horizontal().id_salt("numbers").auto_shrink([false, true]);
+        scrolled.show(ui, |ui| read_out(ui, cursor_deg, &numbers));
+    } else {
+        read_out(ui, cursor_deg, &numbers);
+    }
     keep_cursor(ui, state, cursor_deg, &range_deg);
     spheres::show(ui, state);
     if let Some((index, value)) = output.dragged {
@@ -68,8 +79,12 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
     }
 }
 
+/// In a low window the spheres become smaller before the plot does.
+const LEAST_PLOT: f32 = 160.0;
 /// Height of the numbers of preset and truth below the strips.
 const READ_OUT: f32 = 58.0;
+/// Narrower, the numbers do not fit beside each other.
+const LEAST_READ_OUT: f32 = 520.0;
 /// Height of each further row.
 const READ_OUT_ROW: f32 = theme::ROW + 3.0;
 

@@ -12,13 +12,26 @@ use crate::gui::state::State;
 use crate::gui::theme;
 use crate::render::{Light, false_colour};
 
-/// Height of the whole panel.
-pub(crate) const HEIGHT: f32 = theme::SPHERE + 58.0;
+/// Height of the row above the spheres.
+const ABOVE: f32 = theme::ROW + theme::GAP;
+/// Height of the captions and of what is said of the quality, below them.
+const BELOW: f32 = 14.0 + theme::STANDING + 2.0 * theme::GAP;
+/// Smaller spheres show nothing.
+const LEAST_SPHERE: f32 = 48.0;
+
+/// Height of the whole panel where it is so wide.
+pub(crate) fn height(width: f32) -> f32 {
+    side(width) + ABOVE + BELOW + 2.0 * theme::GAP
+}
+
+/// Three beside each other.
+fn side(width: f32) -> f32 {
+    theme::SPHERE.min((width - 2.0 * theme::GROUP_GAP) / 3.0)
+}
 
 /// Shows the previews.
 pub(crate) fn show(ui: &mut Ui, state: &mut State) {
-    header(ui, state);
-    let size = theme::SPHERE.min((ui.available_width() - 2.0 * theme::GROUP_GAP) / 3.0).floor();
+    let size = side(ui.available_width()).min(ui.available_height() - ABOVE - BELOW).max(LEAST_SPHERE).floor();
     let wanted = Wanted {
         model: state.document.preset.model(),
         space: state.document.space(),
@@ -28,6 +41,8 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State) {
         size: (size * ui.pixels_per_point()).round().max(8.0) as u32,
     };
     state.spheres.want(ui.ctx(), wanted, state.view.preview_ms);
+    // What it says is of the spheres that are shown below it.
+    header(ui, state);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GROUP_GAP;
         let Some(shown) = state.spheres.shown() else {
@@ -43,18 +58,20 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State) {
             });
         }
     });
+    preview::standing(ui, &state.spheres, state.view.preview_ms);
 }
 
 fn header(ui: &mut Ui, state: &mut State) {
     ui.horizontal(|ui| {
         ui.label(theme::title("Sphere"));
         light_chooser(ui, &mut state.view.light);
-        if let Some((_, _, difference)) = state.spheres.shown().and_then(|shown| shown.truth.as_ref()) {
-            let words = format!("preset to truth: mean ΔE {:.2}, at most {:.2}", difference.mean, difference.max);
-            ui.label(theme::hint(words));
-        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             preview::menu(ui, &mut state.spheres, &mut state.view.preview_ms);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                if let Some(words) = state.spheres.difference_words() {
+                    ui.add(Label::new(theme::hint(format!("preset to truth: {words}"))).truncate());
+                }
+            });
         });
     });
 }

@@ -35,7 +35,35 @@ pub(crate) enum PlanFile {
     /// Where to write the chart.
     Chart(FigureFormat),
     /// Where to write its numbers.
-    ChartData,
+    ChartData(DataFormat),
+}
+
+/// A format for the numbers of the chart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DataFormat {
+    /// Comma-separated values.
+    Csv,
+    /// A list of objects.
+    Json,
+}
+
+impl DataFormat {
+    /// Both formats.
+    pub(crate) const ALL: [Self; 2] = [Self::Csv, Self::Json];
+
+    /// The ending of file names.
+    pub(crate) const fn extension(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Json => "json",
+        }
+    }
+
+    /// The format that the ending of a file name asks for.
+    fn of(path: &Path) -> Result<Self, SaveError> {
+        let found = Self::ALL.into_iter().find(|format| has_ending(path, &[format.extension()]));
+        found.ok_or_else(|| SaveError::UnknownFormat { path: path.to_owned(), known: ".csv or .json" })
+    }
 }
 
 impl PlanFile {
@@ -46,7 +74,8 @@ impl PlanFile {
             Self::Save => Some("plan.json"),
             Self::Chart(FigureFormat::Svg) => Some("trade.svg"),
             Self::Chart(FigureFormat::Png) => Some("trade.png"),
-            Self::ChartData => Some("trade.csv"),
+            Self::ChartData(DataFormat::Csv) => Some("trade.csv"),
+            Self::ChartData(DataFormat::Json) => Some("trade.json"),
         }
     }
 
@@ -61,7 +90,7 @@ impl PlanFile {
             Self::Save => "Save the plan",
             Self::Export(_) => "Export the materials of the plan into a folder",
             Self::Chart(_) => "Save the chart",
-            Self::ChartData => "Save the numbers of the chart",
+            Self::ChartData(_) => "Save the numbers of the chart",
         }
     }
 
@@ -83,7 +112,8 @@ impl PlanFile {
             Self::Export(_) => ("Folders", &[]),
             Self::Chart(FigureFormat::Svg) => ("SVG", &["svg"]),
             Self::Chart(FigureFormat::Png) => ("PNG", &["png"]),
-            Self::ChartData => ("CSV", &["csv"]),
+            Self::ChartData(DataFormat::Csv) => ("CSV", &["csv"]),
+            Self::ChartData(DataFormat::Json) => ("JSON", &["json"]),
         }
     }
 }
@@ -130,10 +160,8 @@ impl Task {
             Self::Export(folder, planned, target) => export(folder, planned, *target),
             Self::SaveChart(path, chart) => said(chart.figure.save(path, FigureTheme::Light)),
             Self::SaveData(path, chart) => {
-                if !has_ending(path, &["csv"]) {
-                    return Err(SaveError::UnknownFormat { path: path.clone(), known: ".csv" }.to_string());
-                }
-                said(write_atomically(path, chart.csv().as_bytes()))
+                let format = DataFormat::of(path);
+                said(format.and_then(|format| write_atomically(path, chart.data(format).as_bytes())))
             }
         }
     }

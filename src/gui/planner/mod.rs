@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use eframe::egui::Context;
 
-pub(crate) use self::files::PlanFile;
+pub(crate) use self::files::{DataFormat, PlanFile};
 use self::files::{Done, Task};
 pub(crate) use self::material::{Entry, PathField, PlanMaterial};
 pub(crate) use self::opened::Opened;
@@ -357,7 +357,7 @@ impl PlannerPage {
             PlanFile::Save if self.is_fixed() => false,
             PlanFile::Save | PlanFile::Export(_) if self.as_saved().is_some() => true,
             PlanFile::Save | PlanFile::Export(_) => self.planned.is_some() && !self.is_planning(),
-            PlanFile::Chart(_) | PlanFile::ChartData => self.chart.is_some() && !self.trading.is_busy(),
+            PlanFile::Chart(_) | PlanFile::ChartData(_) => self.chart.is_some() && !self.trading.is_busy(),
             _ => true,
         }
     }
@@ -380,8 +380,8 @@ impl PlannerPage {
             (PlanFile::Save, Some(planned), _) => Task::Save(path, planned.clone()),
             (PlanFile::Export(target), Some(planned), _) => Task::Export(path, planned.clone(), target),
             (PlanFile::Chart(_), _, Some(chart)) => Task::SaveChart(path, chart.clone()),
-            (PlanFile::ChartData, _, Some(chart)) => Task::SaveData(path, chart.clone()),
-            (PlanFile::Save | PlanFile::Export(_) | PlanFile::Chart(_) | PlanFile::ChartData, ..) => {
+            (PlanFile::ChartData(_), _, Some(chart)) => Task::SaveData(path, chart.clone()),
+            (PlanFile::Save | PlanFile::Export(_) | PlanFile::Chart(_) | PlanFile::ChartData(_), ..) => {
                 self.said = Some(Err("There is nothing to write yet".to_owned()));
                 return;
             }

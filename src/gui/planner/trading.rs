@@ -5,6 +5,7 @@ use std::sync::Arc;
 use eframe::egui::Context;
 
 use super::Same;
+use super::files::DataFormat;
 use super::material::Resolved;
 use crate::color::RgbSpace;
 use crate::figure::{ScatterFigure, trade_figure};
@@ -13,7 +14,7 @@ use crate::gui::job::Progress;
 use crate::metal::{Metal, metal_by_name, preferred_metals};
 use crate::preset::{Loaded, Preset, Shelf, built_in_presets};
 use crate::study::{
-    CostAxis, Costs, Measure, Subject, TradeErrors, TradeOptions, TradeRow, rows_to_csv, trade_summary,
+    CostAxis, Costs, Measure, Subject, TradeErrors, TradeOptions, TradeRow, rows_to_csv, rows_to_json, trade_summary,
 };
 
 /// What the chart is of.
@@ -245,15 +246,18 @@ impl Chart {
     }
 
     /// The numbers in it.
-    pub(super) fn csv(&self) -> String {
-        rows_to_csv(&self.rows)
+    pub(super) fn data(&self, format: DataFormat) -> String {
+        match format {
+            DataFormat::Csv => rows_to_csv(&self.rows),
+            DataFormat::Json => rows_to_json(&self.rows),
+        }
     }
 }
 
 /// `Hoffman (r, h): largest ΔE 0.95 (Zinc), 11 shader operations, 24 bytes`.
 fn words(row: &TradeRow, measure: Measure) -> String {
-    let worst =
-        if row.materials > 1 { format!(", at most {:.2} ({})", row.max_delta_e, row.worst) } else { String::new() };
+    let worst = row.worst.as_ref().filter(|_| row.materials > 1);
+    let worst = worst.map(|worst| format!(", at most {:.2} ({worst})", row.max_delta_e)).unwrap_or_default();
     let time = row.measured_ns.map(|ns| format!(", {ns:.2} ns")).unwrap_or_default();
     format!(
         "{}: {} {:.2}{worst}, {} shader operations, {} bytes{time}",

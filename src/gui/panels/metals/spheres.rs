@@ -23,21 +23,23 @@ pub(crate) fn show(ui: &mut Ui, page: &mut MetalsPage, preview_ms: &mut f64, act
     let model = page.curves(ui.ctx()).and_then(|curves| curves.fitted.iter().find(|f| f.contestant == on_sphere));
     let model = model.map(|fitted| fitted.model);
     let across = (ui.available_width() - theme::GROUP_GAP) / 2.0;
-    let down = (ui.available_height() - theme::GROUP_GAP) / 2.0 - CAPTION;
+    let down = (ui.available_height() - theme::STANDING - theme::GAP - theme::GROUP_GAP) / 2.0 - CAPTION;
     let side = across.min(down).floor().max(64.0);
     if let Some(model) = model {
         let size = (side * ui.pixels_per_point()).round().max(8.0) as u32;
         let wanted = Wanted { model, space, roughness: 0.0, metal: Some(page.metal), light: page.light, size };
         page.spheres.want(ui.ctx(), wanted, *preview_ms);
     }
+    preview::standing(ui, &page.spheres, *preview_ms);
     let MetalsPage { spheres, wipe, metal, .. } = page;
+    let apart = spheres.difference_words().unwrap_or_default();
     let Some(shown) = spheres.shown() else {
         ui.label(theme::hint("Rendering"));
         return;
     };
     let name = CONTESTANTS[on_sphere].name;
     Grid::new("spheres").num_columns(2).spacing(Vec2::splat(theme::GROUP_GAP)).show(ui, |ui| {
-        pictures(ui, shown, side, [&metal.name, name], wipe);
+        pictures(ui, shown, side, [&metal.name, name, &apart], wipe);
     });
 }
 
@@ -70,7 +72,7 @@ fn controls(ui: &mut Ui, page: &mut MetalsPage, preview_ms: &mut f64, actions: &
 }
 
 /// Truth and model above; both in one, and their difference, below.
-fn pictures(ui: &mut Ui, shown: &Shown, side: f32, [metal, model]: [&str; 2], wipe: &mut f32) {
+fn pictures(ui: &mut Ui, shown: &Shown, side: f32, [metal, model, apart]: [&str; 3], wipe: &mut f32) {
     let Some((truth, map, difference)) = &shown.truth else { return };
     let caption = |ui: &mut Ui, words: String| ui.add_sized([side, 14.0], Label::new(theme::hint(words)).truncate());
     for (texture, what) in [(truth, format!("truth, {metal}")), (&shown.preset, format!("model, {model}"))] {
@@ -89,7 +91,7 @@ fn pictures(ui: &mut Ui, shown: &Shown, side: f32, [metal, model]: [&str; 2], wi
     ui.vertical(|ui| {
         ui.add(Image::new((map.id(), Vec2::splat(side))).alt_text("map of the colour difference"));
         scale(ui, side, *difference);
-        caption(ui, format!("mean ΔE {:.2}, at most {:.2}", difference.mean, difference.max));
+        caption(ui, apart.to_owned());
     });
     ui.end_row();
 }

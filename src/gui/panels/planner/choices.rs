@@ -7,7 +7,7 @@ use crate::color::RgbSpace;
 use crate::export::Target;
 use crate::figure::FigureFormat;
 use crate::gui::command::Action;
-use crate::gui::planner::{Apart, PlanAction, PlanFile, PlannerPage, PlannerView, TradeOf};
+use crate::gui::planner::{Apart, DataFormat, PlanAction, PlanFile, PlannerPage, PlannerView, TradeOf};
 use crate::gui::state::State;
 use crate::gui::theme::{self, Palette};
 use crate::gui::warnings::capitalised;
@@ -284,7 +284,11 @@ fn files(ui: &mut Ui, page: &mut PlannerPage, actions: &mut Vec<Action>) {
                     let name = format!("{}…", format.extension().to_uppercase());
                     file(ui, page, (PlanFile::Chart(format), name.as_str(), "Save the chart"), actions);
                 }
-                file(ui, page, (PlanFile::ChartData, "CSV…", "Save the numbers of every variant"), actions);
+                for format in DataFormat::ALL {
+                    let name = format!("{}…", format.extension().to_uppercase());
+                    let what = "Save the numbers of every variant";
+                    file(ui, page, (PlanFile::ChartData(format), name.as_str(), what), actions);
+                }
             });
         }
     }

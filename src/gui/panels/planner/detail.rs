@@ -2,11 +2,12 @@
 
 use eframe::egui::{
     Align, Align2, Color32, CornerRadius, Label, Layout, Mesh, Pos2, Rangef, Rect, Response, RichText, Sense, Shape,
-    Stroke, StrokeKind, Ui, Vec2, WidgetInfo, accesskit::Role, pos2,
+    Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, accesskit::Role, pos2,
 };
 
 use egui_extras::{Column, TableBuilder, TableRow};
 
+use super::silhouette::silhouette;
 use super::words;
 use crate::gui::panels::demonstrations::row;
 use crate::gui::planner::{Planned, PlannerPage};
@@ -25,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, page: &PlannerPage, planned: &Planned) {
     ui.add_space(theme::GAP);
     ui.separator();
     said(ui, material, planned.plan.tolerance);
-    let height = (ui.available_height() - theme::GAP).max(theme::LEAST_CHART);
+    let height = (ui.available_height() - theme::GAP).max(theme::PLAN_CHART);
     let chart = Chart {
         material,
         curves: planned.curves.get(at),
@@ -33,7 +34,8 @@ pub(super) fn show(ui: &mut Ui, page: &PlannerPage, planned: &Planned) {
         tolerance: planned.plan.tolerance,
     };
     ui.horizontal_top(|ui| {
-        let width = (ui.available_width() - theme::JUDGEMENTS - theme::GROUP_GAP).max(200.0);
+        let table = theme::JUDGEMENTS.min(theme::JUDGEMENTS_SHARE * ui.available_width());
+        let width = ui.available_width() - table - theme::GROUP_GAP;
         let down = Layout::top_down(Align::LEFT);
         ui.allocate_ui_with_layout(Vec2::new(width, height), down, |ui| chart.show(ui, height));
         ui.add_space(theme::GROUP_GAP);
@@ -65,9 +67,10 @@ fn judgements(ui: &mut Ui, material: &MaterialPlan, tolerance: Tolerance, height
     let table = numbers.into_iter().fold(table, TableBuilder::column);
     let table = table.header(theme::ROW, |mut header| {
         header.col(|ui| _ = ui.label(theme::hint("Cheapest first")));
-        for heading in [tolerance.on.label(), "operations", "bytes", ""] {
+        for heading in [tolerance.on.label(), "operations", "bytes"] {
             header.col(|ui| right(ui, theme::hint(heading)));
         }
+        header.col(|ui| last(ui, theme::hint("verdict")));
     });
     table.body(|body| {
         body.rows(theme::JUDGEMENT_ROW, material.judgements.len(), |mut row| {
@@ -79,6 +82,14 @@ fn judgements(ui: &mut Ui, material: &MaterialPlan, tolerance: Tolerance, height
 
 fn right(ui: &mut Ui, text: RichText) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text));
+}
+
+/// At the right end, with room for the bar that scrolls.
+fn last(ui: &mut Ui, text: RichText) {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        ui.add_space(theme::GAP);
+        ui.label(text);
+    });
 }
 
 fn judged(row: &mut TableRow<'_, '_>, judgement: &Judgement, tolerance: Tolerance) {
@@ -98,7 +109,7 @@ fn judged(row: &mut TableRow<'_, '_>, judgement: &Judgement, tolerance: Toleranc
     }
     row.col(|ui| {
         let verdict = theme::hint(words::verdict(judgement.verdict));
-        right(ui, if is_chosen { verdict.color(Palette::of(ui).good) } else { verdict });
+        last(ui, if is_chosen { verdict.color(Palette::of(ui).good) } else { verdict });
     });
 }
 
@@ -122,9 +133,8 @@ impl Chart<'_> {
     fn show(&self, ui: &mut Ui, height: f32) {
         let curves = self.curves(ui);
         legend(ui, &curves, self.angles.is_some());
-        let width = ui.available_width();
-        let below = theme::TICKS + theme::ROW + theme::GAP;
-        let size = Vec2::new(width, (height - below).max(60.0));
+        let above = ui.min_rect().height() + theme::GAP;
+        let size = Vec2::new(ui.available_width(), (height - above - theme::TICKS).max(60.0));
         let (whole, response) = ui.allocate_exact_size(size, Sense::hover());
         let rect = Rect::from_min_max(whole.min + Vec2::new(theme::AXIS_WIDTH, 4.0), whole.max);
         ui.painter().rect_filled(rect, CornerRadius::ZERO, Palette::of(ui).canvas);
@@ -170,7 +180,7 @@ impl Chart<'_> {
         const SHARE: f32 = 0.3;
         let Some(angles) = self.angles else { return };
         let fill = ui.visuals().text_color().gamma_multiply(0.14);
-        let density = density(angles);
+        let density = silhouette(angles);
         let most = density.iter().map(|(_, value)| *value).fold(0.0, f64::max);
         if most <= 0.0 {
             return;
@@ -225,24 +235,40 @@ impl Chart<'_> {
     }
 }
 
+/// In as many rows as it takes: a chart beside a table may be narrow.
 fn legend(ui: &mut Ui, curves: &[Curve<'_>], has_angles: bool) {
     ui.horizontal(|ui| {
         ui.add_space(theme::AXIS_WIDTH);
-        ui.label(theme::hint("ΔE to the truth"));
-        for curve in curves {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(theme::hint("ΔE to the truth"));
             ui.add_space(theme::GAP);
-            let (sample, _) = ui.allocate_exact_size(crate::gui::widgets::SAMPLE, Sense::hover());
-            let stroke = Stroke::new(curve.width, curve.colour);
-            ui.painter().hline(sample.x_range(), sample.center().y, stroke);
-            ui.label(theme::hint(&curve.name));
-        }
-        if has_angles {
-            ui.add_space(theme::GAP);
-            let (sample, _) = ui.allocate_exact_size(crate::gui::widgets::SAMPLE, Sense::hover());
-            ui.painter().rect_filled(sample, 0, ui.visuals().text_color().gamma_multiply(0.14));
-            ui.label(theme::hint("how often seen"));
-        }
+            for curve in curves {
+                entry(ui, &curve.name, |ui, sample| {
+                    let stroke = Stroke::new(curve.width, curve.colour);
+                    ui.painter().hline(sample.x_range(), sample.center().y, stroke);
+                });
+            }
+            if has_angles {
+                entry(ui, "how often seen", |ui, sample| {
+                    ui.painter().rect_filled(sample, 0, ui.visuals().text_color().gamma_multiply(0.14));
+                });
+            }
+        });
     });
+}
+
+/// A sample and its name, which stay together.
+fn entry(ui: &mut Ui, name: &str, paint: impl FnOnce(&Ui, Rect)) {
+    let text = WidgetText::from(theme::hint(name));
+    let text = text.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, TextStyle::Small);
+    let width = crate::gui::widgets::SAMPLE.x + ui.spacing().item_spacing.x + text.size().x;
+    if ui.available_size_before_wrap().x < width {
+        ui.end_row();
+    }
+    let (sample, _) = ui.allocate_exact_size(crate::gui::widgets::SAMPLE, Sense::hover());
+    paint(ui, sample);
+    ui.add(Label::new(text));
+    ui.add_space(theme::GAP);
 }
 
 fn grid(ui: &Ui, rect: Rect, top: f64) {
@@ -291,50 +317,9 @@ fn at(delta_e: &[f64; NODES], deg: f64) -> f64 {
     delta_e[(place.round() as usize).min(NODES - 1)]
 }
 
-/// How much is seen for each degree, at steps of two degrees: nodes are far apart where the surface faces the eye.
-fn density(angles: &Angles) -> Vec<(f64, f64)> {
-    const STEPS: usize = 45;
-    let mut bins = [0.0; STEPS];
-    for (node, weight) in angles.seen() {
-        let [low, high] = edges_deg(node);
-        let width = (high - low).max(1e-9);
-        for (bin, sum) in bins.iter_mut().enumerate() {
-            let (from, to) = (2.0 * bin as f64, 2.0 * (bin + 1) as f64);
-            let common = (high.min(to) - low.max(from)).max(0.0);
-            *sum += weight * common / width;
-        }
-    }
-    let centre = |bin: usize| 2.0 * bin as f64 + 1.0;
-    let ends = [(0.0, bins[0]), (90.0, bins[STEPS - 1])];
-    let middle = bins.iter().enumerate().map(|(bin, sum)| (centre(bin), *sum));
-    std::iter::once(ends[0]).chain(middle).chain(std::iter::once(ends[1])).collect()
-}
-
-/// The angles that a node stands for: to half-way between its cosine and its neighbours'.
-fn edges_deg(node: usize) -> [f64; 2] {
-    let cosine = |node: usize| node_cosines()[node].get();
-    let towards = |neighbour: usize| (0.5 * (cosine(node) + cosine(neighbour))).acos().to_degrees();
-    let larger = if node == 0 { 90.0 } else { towards(node - 1) };
-    let smaller = if node == NODES - 1 { 0.0 } else { towards(node + 1) };
-    [smaller, larger]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Shape as SceneShape;
-
-    /// Of a cylinder every sin θ is as frequent as any other: the density over the angle is cos θ.
-    #[test]
-    fn the_silhouette_of_a_cylinder_is_a_cosine() {
-        let density = density(&SceneShape::Cylinder.angles());
-        let total: f64 = density[1..=45].iter().map(|(_, value)| value).sum();
-        assert!((total - 1.0).abs() < 1e-9, "{total}");
-        for (deg, value) in &density[8..44] {
-            let exact = 2.0_f64.to_radians() * deg.to_radians().cos();
-            assert!((value - exact).abs() < 0.1 * exact + 2e-4, "{deg}: {value} {exact}");
-        }
-    }
 
     #[test]
     fn marks_are_round_and_few() {

@@ -16,6 +16,23 @@ use crate::scene::MaterialPlan;
 const GAP: f32 = 12.0;
 /// Room for the button that takes a material off.
 const REMOVE: f32 = 24.0;
+/// Around what a row holds.
+const ROW_MARGIN: Vec2 = Vec2::new(4.0, 3.0);
+/// So many rows are seen however low the window is.
+const LEAST_ROWS: f32 = 2.2;
+/// Room beside the name for how much of it is seen, and at which angles.
+const SEEN: f32 = 96.0;
+/// Height of the name and of where it is seen, in a row that stacks.
+const PLACE: f32 = 46.0;
+
+/// True where the columns do not fit beside each other.
+fn is_stacked(width: f32) -> bool {
+    width < theme::PLAN_STACKS_BELOW
+}
+
+fn row_height(width: f32) -> f32 {
+    if is_stacked(width) { theme::PLAN_ROW_STACKED } else { theme::PLAN_ROW }
+}
 
 /// Shows the list.
 pub(super) fn show(
@@ -33,10 +50,11 @@ pub(super) fn show(
         return;
     }
     captions(ui);
-    let all = count as f32 * (theme::PLAN_ROW + theme::GAP) - theme::GAP;
-    let room = (ui.available_height() - theme::PLAN_DETAIL).max(2.0 * theme::PLAN_ROW);
+    let height = row_height(ui.available_width());
+    let all = count as f32 * (height + theme::GAP) - theme::GAP;
+    let room = (ui.available_height() - theme::PLAN_DETAIL).max(LEAST_ROWS * height);
     let list = ScrollArea::vertical().id_salt("materials of the plan").auto_shrink([false, true]);
-    list.max_height(all.min(room)).show_rows(ui, theme::PLAN_ROW, count, |ui, rows| {
+    list.max_height(all.min(room)).show_rows(ui, height, count, |ui, rows| {
         for index in rows {
             // By its own identity: what is typed stays in its row while others come and go.
             let id = id_of(page, index).unwrap_or(index as u64);
@@ -62,6 +80,29 @@ struct Columns {
 
 impl Columns {
     fn of(row: Rect) -> Self {
+        let inner = row.shrink2(ROW_MARGIN);
+        if is_stacked(row.width()) { Self::stacked(inner) } else { Self::beside(inner) }
+    }
+
+    /// What is chosen stands below where it is seen.
+    fn stacked(row: Rect) -> Self {
+        let [model, error, cost] = theme::PLAN_COLUMNS;
+        let (strip, rest) = row.split_left_right_at_x(row.left() + theme::PLAN_STRIP);
+        let (rest, remove) = rest.split_left_right_at_x(row.right() - REMOVE);
+        let (place, below) = rest.with_min_x(rest.left() + GAP).split_top_bottom_at_y(row.top() + PLACE);
+        let column = |left: f32, width: f32| Rect::from_x_y_ranges(left..=left + width, below.y_range());
+        let error_at = below.left() + model + GAP;
+        Self {
+            strip,
+            place,
+            model: column(below.left(), model),
+            error: column(error_at, error),
+            cost: column(error_at + error + GAP, cost),
+            remove,
+        }
+    }
+
+    fn beside(row: Rect) -> Self {
         let [model, error, cost] = theme::PLAN_COLUMNS;
         let column = |left: f32, width: f32| Rect::from_x_y_ranges(left..=left + width, row.y_range());
         let strip = column(row.left(), theme::PLAN_STRIP);
@@ -86,15 +127,17 @@ impl Columns {
 fn captions(ui: &mut Ui) {
     let (rect, _) = ui.allocate_exact_size(Vec2::new(ui.available_width(), 16.0), Sense::hover());
     let columns = Columns::of(rect);
+    // Where both stand above each other the name needs no caption.
+    let place = if is_stacked(rect.width()) { "" } else { "Material, and where it is seen" };
     let texts = [
         (columns.strip, "Truth over model, 0–90°"),
-        (columns.place, "Material, and where it is seen"),
+        (columns.place, place),
         (columns.model, "Cheapest within the tolerance"),
         (columns.error, "Error that remains"),
         (columns.cost, "Cost"),
     ];
     for (column, text) in texts {
-        let at = pos2(column.left(), column.center().y);
+        let at = pos2(column.left(), rect.center().y);
         let colour = ui.visuals().weak_text_color();
         ui.painter().text(at, eframe::egui::Align2::LEFT_CENTER, text, row::small(ui), colour);
     }
@@ -121,16 +164,18 @@ fn entry(
         (_, Some(entry)) => entry.material.name(open).to_owned(),
         _ => return,
     };
-    let (rect, response) = ui.allocate_exact_size(Vec2::new(ui.available_width(), theme::PLAN_ROW), Sense::click());
+    let width = ui.available_width();
+    let (rect, response) = ui.allocate_exact_size(Vec2::new(width, row_height(width)), Sense::click());
     let is_selected = page.selected == index;
     if is_selected || response.hovered() || response.has_focus() {
         let visuals = ui.style().interact_selectable(&response, is_selected);
         ui.painter().rect_filled(rect, theme::ROUNDING, visuals.weak_bg_fill.gamma_multiply(0.6));
     }
-    let columns = Columns::of(rect.shrink2(Vec2::new(4.0, 3.0)));
+    let columns = Columns::of(rect);
     inside(ui, columns.place, |ui| {
         ui.horizontal(|ui| {
-            ui.label(theme::title(&name));
+            let room = Vec2::new((ui.available_width() - SEEN).max(0.0), theme::ROW);
+            ui.allocate_ui(room, |ui| ui.add(Label::new(theme::title(&name)).truncate()));
             if let Some((_, material, _)) = found {
                 ui.add(Label::new(theme::hint(seen(material))).truncate());
             }

@@ -5,6 +5,7 @@ mod detail;
 mod list;
 mod place;
 mod plan;
+mod silhouette;
 mod trade;
 mod words;
 
@@ -22,11 +23,21 @@ pub(crate) fn show(ui: &mut Ui, state: &mut State, actions: &mut Vec<Action>) {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| choices::show(ui, state, actions));
     });
     CentralPanel::no_frame().frame(side).show(ui, |ui| {
+        let before = state.planner.view;
         heading(ui, &mut state.planner.view);
-        match state.planner.view {
-            PlannerView::Plan => plan::show(ui, state, actions),
-            PlannerView::Trade => trade::show(ui, state),
+        if state.planner.view != before {
+            // What came of a file of the other view.
+            state.planner.said = None;
         }
+        let height = ui.available_height();
+        ScrollArea::vertical().id_salt("view").auto_shrink(false).show(ui, |ui| {
+            // What can grow fills the window; what cannot shrink as far is scrolled.
+            ui.set_max_height(height);
+            match state.planner.view {
+                PlannerView::Plan => plan::show(ui, state, actions),
+                PlannerView::Trade => trade::show(ui, state),
+            }
+        });
     });
 }
 

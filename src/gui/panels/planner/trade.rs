@@ -105,7 +105,7 @@ fn ink(ui: &Ui, series: usize) -> Color32 {
 }
 
 fn key(ui: &mut Ui, chart: &Chart) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for (series, name) in chart.figure.series.iter().enumerate() {
             let (place, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
             ui.painter().circle_filled(place.center(), theme::DOT + 1.0, ink(ui, series));
