@@ -32,7 +32,7 @@ impl Form<3> for Lazanyi {
     }
 }
 
-/// r0 + (r90 − r0) x^p − a c x⁶; p > 0 is shared by the channels. A whole p is multiplied out.
+/// r0 + (r90 − r0) x^p − a c x⁶; p > 0 is shared by the channels. p = 5 is multiplied out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralizedSchlick {
     exponent: f64,

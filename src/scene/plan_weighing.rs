@@ -6,7 +6,7 @@ use super::material::{SceneMaterial, Truth};
 use super::{Angles, MaterialPlan, NODES, Plan, SeenError, node_cosines};
 use crate::color::{Rgb, RgbSpace, delta_e_rgb};
 use crate::export::{Reading, form_in_space};
-use crate::fresnel::{FresnelModel, ModelKind};
+use crate::fresnel::{CosTheta, FresnelModel, ModelKind};
 use crate::metal::metals;
 use crate::number::larger;
 use crate::study::{Form, Measure, Subject, Variant, forms, true_reflectance};
@@ -150,12 +150,13 @@ fn subject<'a>(plan: &Plan, material: &'a MaterialPlan) -> Option<Subject<'a>> {
     }
 }
 
-/// Every node of a range alike.
+/// Every node of a range alike, and its ends, which lie between nodes.
 fn angles_of_range(range_deg: Option<(f64, f64)>) -> Angles {
     let mut angles = Angles::default();
     let Some((from_deg, to_deg)) = range_deg else { return angles };
     let is_seen = |deg: f64| from_deg - 1e-9 <= deg && deg <= to_deg + 1e-9;
     node_cosines().iter().filter(|cosine| is_seen(cosine.deg())).for_each(|cosine| angles.add(*cosine, 1.0));
+    [from_deg, to_deg].into_iter().for_each(|end| angles.add(CosTheta::from_deg(end), 1.0));
     angles
 }
 

@@ -164,7 +164,7 @@ fn a_saved_plan_is_planned_again() {
     let made = scenes.map(|(scene, asked)| {
         let with = |more: &[&str]| json(&[&["plan"], scene, more, &["--json"]].concat());
         let again = |more: &[&str]| json(&[&["plan", "--from", saved, "--json"], more].concat());
-        let first = with(&["--tolerance", "4", "-o", saved]);
+        let first = with(&["--tolerance", "4", "-o", saved, "--force"]);
         let kept: Value = serde_json::from_slice(&fs::read(saved).unwrap()).unwrap();
         assert_eq!(kept, first, "what is printed is what is saved");
         assert_eq!(again(&[]), first, "nothing else is asked for");

@@ -220,6 +220,14 @@ mod tests {
         assert!(jump > Some(0.01) && inside < Some(1e-3), "{jump:?} {inside:?}");
     }
 
+    /// Also where n < 1 and next to the critical angle, where n² − 1 of 32 bits would be wrong by nearly everything.
+    #[test]
+    fn thin_dielectrics_keep_their_digits_too() {
+        let rows: Vec<_> =
+            of("ours", "dielectric", "outside").filter(|row| row.arithmetic != "16-bit-parameters").collect();
+        assert!(rows.len() > 1 && rows.iter().all(|row| row.max_absolute < Some(1e-6)), "{rows:?}");
+    }
+
     #[test]
     fn stops_when_told() {
         assert_eq!(stability(Fineness::Default, &|_| ControlFlow::Break(())), Err(Stopped));
