@@ -311,6 +311,7 @@ fn the_materials_are_exported_without_what_is_not_needed() {
 fn what_a_target_cannot_say_is_said() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = open();
+    window.enter("Tolerance, number", "1");
     window.click("Whose files the materials are exported to");
     window.click("MaterialX OpenPBR surface");
     file(&mut window, "Export…", "Export the materials of the plan into a folder", folder.path());

@@ -58,7 +58,8 @@ fn rows_show_where_each_material_is_seen_and_what_is_chosen() {
 
 #[test]
 fn every_variant_of_the_table_has_its_name_and_its_verdict() {
-    let window = planner();
+    let mut window = planner();
+    window.enter("Tolerance, number", "1");
     let texts = texts(&window);
     let place = |wanted: &str| texts.iter().find(|(text, _)| text == wanted).unwrap_or_else(|| panic!("{wanted}")).1;
     assert!(place("Cheapest first").right() < place("operations").left());
