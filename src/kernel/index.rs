@@ -220,7 +220,7 @@ impl<T: Real> Index<T, 3> for Metal<T> {
 }
 
 impl<T: Real> Metal<T> {
-    /// F and 1 − F. A metal reflects a tenth or more, so that F loses no digit that matters as the rest of 1.
+    /// F and 1 − F. Where k ≥ n, F is at least .17 (facing, n = k = .71), so that it loses two or three bits as the rest of 1.
     #[inline(always)]
     pub(super) fn reflectance_and_absorption(self, angle: Angle<T>, c2_s2: T) -> [T; 2] {
         let Root { z, q, product: square } = self.root(self.modulus(angle));

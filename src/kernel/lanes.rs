@@ -265,6 +265,21 @@ mod tests {
         assert!(power < 1e-5, "{power}");
     }
 
+    /// Over all significands, near and at the ends of what is promised.
+    #[test]
+    fn quotients_by_an_estimate_are_near() {
+        for level in levels() {
+            let quotient = |x: f32| dispatch!(level, simd => Lanes::splat(simd, 0.7 * x).nearly_over(Lanes::splat(simd, x)).as_slice()[0]);
+            let off = |x: f32| (f64::from(quotient(x)) / (f64::from(0.7 * x) / f64::from(x)) - 1.0).abs();
+            let significands = (0..8192_u16).map(|i| 1.0 + f32::from(i) / 8192.0);
+            let largest = significands
+                .flat_map(|x| [1e-37, 1.0, 4e36].map(|size| off(size * x)))
+                .fold(0.0, crate::number::larger);
+            assert!((1e-9..5e-7).contains(&largest), "{level:?}: {largest}");
+            assert!(quotient(f32::NAN).is_nan());
+        }
+    }
+
     #[test]
     fn far_powers_are_0_and_a_nan_stays_one() {
         for level in levels() {
